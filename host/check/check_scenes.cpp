@@ -1,0 +1,173 @@
+// Small scenes for `brume check`: between them every shape, light, material, phase, method, interpolation and density that needs no
+// file. Dense fields only, so that skipping empty bricks cannot hide a wrong cell.
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "base/error.hpp"
+#include "check/check_parts.hpp"
+#include "flat/flatten.hpp"
+#include "scene/scene_reader.hpp"
+
+namespace brume {
+
+namespace {
+
+struct SceneText {
+  const char* name;
+  const char* text;
+};
+
+// The first five shapes of "surfaces" stand in the order of ShapeType; check_surfaces takes them one by one.
+constexpr SceneText SCENES[] = {
+    {"surfaces", R"({
+  "camera": {"eye": [0.4, 1.1, 4.2], "target": [0, 0.1, 0], "vfov": 42}, "film": {"spp": 4}, "background": [0.1, 0.15, 0.2],
+  "ambient": [0.1, 0.1, 0.1],
+  "lights": [
+    {"type": "point", "position": [1.5, 2.5, 1.5], "intensity": [6, 5, 4]},
+    {"type": "directional", "direction": [-1, -1.5, -0.5], "irradiance": [1, 1, 1.2]},
+    {"type": "spot", "position": [-1.5, 2.5, 1], "direction": [0.5, -1, -0.3], "angle": 30, "softness": 0.3, "intensity": [8, 8, 8]},
+    {"type": "point", "position": [-2, 1, 2], "intensity": [0.3, 0.2, 0.2], "falloff": "none"}],
+  "materials": {
+    "image": {"model": "blinn_phong", "diffuse": [0.8, 0.7, 0.6], "specular": [0.3, 0.3, 0.3], "shininess": 40, "ambient": [0.5, 0.5, 0.5]},
+    "checker": {"diffuse": [1, 1, 1], "texture": {"type": "checker", "colors": [[0.8, 0.8, 0.8], [0.2, 0.3, 0.2]], "scale": 2}},
+    "shiny": {"model": "phong", "diffuse": [0.3, 0.3, 0.5], "specular": [0.4, 0.4, 0.4], "shininess": 20, "emission": [0.02, 0, 0]}},
+  "shapes": [
+    {"type": "sphere", "center": [-0.2, 0.1, 0.1], "radius": 0.55, "material": "image"},
+    {"type": "cylinder", "base": [0.8, -0.45, 0.2], "top": [0.95, 0.4, 0], "radius": 0.25, "material": "shiny"},
+    {"type": "plane", "point": [0, -0.5, 0], "normal": [0, 1, 0.05], "material": "checker"},
+    {"type": "quad", "corner": [-1.5, -0.4, -1], "u": [3, 0, 0.2], "v": [0, 1.8, -0.1], "material": "image"},
+    {"type": "box", "min": [-0.3, -0.3, -0.2], "max": [0.3, 0.3, 0.2],
+     "transform": [{"rotate": [0, 1, 0.3, 35]}, {"translate": [-1, -0.1, 0.7]}], "material": "shiny"}]})"},
+    {"mesh", R"({
+  "camera": {"type": "orthographic", "eye": [1, 1.6, 3], "target": [0, 0, 0], "height": 2.6}, "film": {"spp": 2},
+  "lights": [{"type": "directional", "direction": [-1, -2, -1], "irradiance": [2, 2, 2]},
+             {"type": "point", "position": [0, 1.2, 0.2], "intensity": [1, 0.8, 0.6]}],
+  "materials": {"torus": {"model": "blinn_phong", "diffuse": [0.6, 0.5, 0.3], "specular": [0.5, 0.5, 0.5], "shininess": 30}},
+  "shapes": []})"},
+    {"fog_nearest", R"({
+  "camera": {"eye": [0.7, 0.9, 3.5], "target": [0, 0, 0], "vfov": 40},
+  "lights": [{"type": "directional", "direction": [-0.5, -1, -0.3], "irradiance": [4, 4, 4]}],
+  "media": [{"interpolation": "nearest", "density": {"type": "perlin", "resolution": [21, 17, 26], "scale": 3, "octaves": 3, "seed": 7},
+             "sigma_a": 0.5, "sigma_s": 2, "phase": {"type": "henyey_greenstein", "g": -0.65}}]})"},
+    {"fog_gauss2", R"({
+  "camera": {"eye": [1.8, 0.8, 2.9], "target": [0, 0, 0], "vfov": 42}, "film": {"spp": 2}, "background": [0.2, 0.3, 0.5],
+  "lights": [{"type": "point", "position": [0.4, 0.6, 0.5], "intensity": [2, 1.5, 1]},
+             {"type": "directional", "direction": [-0.4, -1, -0.6], "irradiance": [2, 2, 2]}],
+  "materials": {"grey": {"diffuse": [0.6, 0.6, 0.6]}},
+  "shapes": [{"type": "sphere", "center": [-0.2, -0.1, 0], "radius": 0.4, "material": "grey"},
+             {"type": "plane", "point": [0, -1.02, 0], "normal": [0, 1, 0], "material": "grey"}],
+  "media": [{"density": {"type": "perlin", "resolution": [24, 24, 24], "scale": 3, "octaves": 2, "seed": 3},
+             "sigma_a": [0.2, 0.5, 1], "sigma_s": [2, 1.5, 1], "phase": {"type": "henyey_greenstein", "g": 0.6}}]})"},
+    {"fog_midpoint", R"({
+  "camera": {"eye": [0.3, -0.2, 0.6], "target": [0, 0, -1], "vfov": 80},
+  "lights": [{"type": "point", "position": [-0.3, 0.5, -0.5], "intensity": [1, 1, 1]}],
+  "media": [{"density": {"type": "exponential", "resolution": [9, 40, 9]}, "sigma_a": 0.5, "sigma_s": 1.5}],
+  "render": {"method": "dda_midpoint"}})"},
+    {"fog_march", R"({
+  "camera": {"eye": [2.2, 1.2, 2.4], "target": [0, 0, 0], "vfov": 45},
+  "lights": [{"type": "spot", "position": [-1.5, 1.8, 1], "direction": [1.2, -1.5, -0.9], "angle": 25, "softness": 0.4, "intensity": [20, 20, 16]}],
+  "media": [{"bounds": [[-1, -0.5, -1], [1, 0.5, 1]], "transform": [{"scale": [1, 1.5, 1]}, {"rotate": [0.2, 1, 0, 30]}],
+             "density": {"type": "linear", "resolution": [16, 16, 16]}, "sigma_a": 0.1, "sigma_s": 1}],
+  "render": {"method": "march_midpoint", "step": 0.037}})"},
+    {"fog_homogeneous", R"({
+  "camera": {"eye": [0.5, 1, 3.2], "target": [0, 0, 0], "vfov": 40}, "background": [0.05, 0.05, 0.1],
+  "lights": [{"type": "directional", "direction": [1, -1, 0.2], "irradiance": [3, 3, 3]},
+             {"type": "point", "position": [0.2, 0.1, 0.3], "intensity": [0.5, 0.4, 0.3]}],
+  "materials": {"grey": {"diffuse": [0.6, 0.6, 0.6]}},
+  "shapes": [{"type": "box", "min": [-0.3, -1.2, -0.3], "max": [0.3, -0.2, 0.3], "transform": [{"rotate": [0, 1, 0, 20]}], "material": "grey"}],
+  "media": [{"density": {"type": "sphere", "of": {"type": "constant", "value": 0.75}}, "sigma_a": 0.3, "sigma_s": 1}],
+  "render": {"method": "homogeneous"}})"},
+    {"fog_sphere_ortho", R"({
+  "camera": {"type": "orthographic", "eye": [0, 0.5, 4], "target": [0, 0, 0], "height": 2.4}, "film": {"spp": 3},
+  "lights": [{"type": "directional", "direction": [0.3, -1, -0.2], "irradiance": [3, 2.5, 2]}],
+  "media": [{"transform": [{"rotate": [0, 0, 1, 40]}, {"scale": 0.9}],
+             "density": {"type": "sphere", "of": {"type": "perlin", "resolution": [40, 40, 40], "scale": 5, "octaves": 3, "seed": 11}},
+             "sigma_a": 0.4, "sigma_s": 4, "phase": {"type": "henyey_greenstein", "g": 0.3}}]})"},
+    {"fog_two", R"({
+  "camera": {"eye": [1.4, 1, 3], "target": [0, 0, 0], "vfov": 45}, "background": [0.1, 0.1, 0.1],
+  "lights": [{"type": "directional", "direction": [-1, -1, -0.4], "irradiance": [3, 3, 3]}],
+  "media": [{"bounds": [[-1, -0.6, -0.6], [0.3, 0.6, 0.6]], "density": {"type": "perlin", "resolution": [13, 12, 12], "scale": 2, "seed": 5},
+             "sigma_a": 0.2, "sigma_s": [2, 1, 0.5]},
+            {"bounds": [[-0.2, -0.5, -0.7], [1, 0.7, 0.5]], "density": {"type": "constant"}, "sigma_a": [0.1, 0.3, 0.6], "sigma_s": 0.4}]})"},
+    {"empty", R"({"background": [0.25, 0.5, 0.75], "film": {"spp": 5}})"},
+};
+
+constexpr int TORUS_AROUND = 20, TORUS_ACROSS = 12;
+
+dvec3 torus_normal(int i, int j) {
+  const double a = 2 * M_PI * i / TORUS_AROUND, b = 2 * M_PI * j / TORUS_ACROSS;
+  return {std::cos(a) * std::cos(b), std::sin(b), std::sin(a) * std::cos(b)};
+}
+
+dvec3 torus_point(int i, int j) {
+  const double a = 2 * M_PI * i / TORUS_AROUND;
+  return dvec3(0.8 * std::cos(a), 0, 0.8 * std::sin(a)) + 0.3 * torus_normal(i, j);
+}
+
+constexpr int TORUS_CORNERS[2][3][2] = {{{0, 0}, {0, 1}, {1, 1}}, {{0, 0}, {1, 1}, {1, 0}}};
+
+template <class Visit>
+void torus_triangles(Visit visit) {
+  for (int i = 0; i < TORUS_AROUND; ++i)
+    for (int j = 0; j < TORUS_ACROSS; ++j)
+      for (const auto& corners : TORUS_CORNERS) visit(i, j, corners);
+}
+
+void torus_add(SceneDesc& desc) {
+  torus_triangles([&](int i, int j, const int (&corners)[3][2]) {
+    TriangleDesc t;
+    for (int k = 0; k < 3; ++k) t.vertices[k] = torus_point(i + corners[k][0], j + corners[k][1]);
+    desc.shapes.push_back({t, 0, "/shapes"});
+  });
+}
+
+// Smooth normals for three quarters of the torus; the rest stays flat.
+void torus_smooth(FlatScene& scene) {
+  std::size_t index = 0;
+  torus_triangles([&](int i, int j, const int (&corners)[3][2]) {
+    Triangle& t = scene.triangles[index++];
+    if (4 * i < TORUS_AROUND) return;
+    t.shading = TRIANGLE_PHONG;
+    for (int k = 0; k < 3; ++k) {
+      const dvec3 n = torus_normal(i + corners[k][0], j + corners[k][1]);
+      t.n[k] = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};
+    }
+  });
+}
+
+// An image texture without a file: 32 x 24 random texels for the first material.
+void image_add(FlatScene& scene) {
+  Texture t{};
+  t.type = TEXTURE_IMAGE;
+  t.width = 32;
+  t.height = 24;
+  t.offset = static_cast<uint>(scene.texels.size() / 3);
+  CheckRandom random;
+  for (int i = 0; i < 3 * t.width * t.height; ++i) scene.texels.push_back(static_cast<float>(random.uniform(0, 1)));
+  scene.materials[0].texture = static_cast<int>(scene.textures.size());
+  scene.textures.push_back(t);
+}
+
+}  // namespace
+
+std::vector<std::string> check_scene_names() {
+  std::vector<std::string> names;
+  for (const SceneText& scene : SCENES) names.emplace_back(scene.name);
+  return names;
+}
+
+FlatScene check_scene(const std::string& name, int size, int bvh_width) {
+  for (const SceneText& scene : SCENES) {
+    if (name != scene.name) continue;
+    SceneDesc desc = scene_read_text(scene.text, name + ".json", {});
+    desc.film.size = {size, size};
+    if (name == "mesh") torus_add(desc);
+    FlatScene flat = flatten(desc, {bvh_width, {}});
+    if (name == "mesh") torus_smooth(flat);
+    if (name == "surfaces") image_add(flat);
+    return flat;
+  }
+  throw InputError("no check scene is called '" + name + "'");
+}
+
+}  // namespace brume

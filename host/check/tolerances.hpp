@@ -1,0 +1,36 @@
+// How far kernels (float) may be from the scalar reference (double), in one table, each with its reason. `brume check` prints it,
+// tests use it. error = |kernel - reference| / (|reference| + floor); a check passes while its largest error stays within `limit`.
+#pragma once
+#include <string_view>
+
+namespace brume {
+
+struct Tolerance {
+  std::string_view name;
+  double limit, floor;
+  std::string_view reason;
+};
+
+inline constexpr double EDGE_SHARE = 5e-4;  // pixels whose hit or shadow differs: more than this share is an error
+
+inline constexpr Tolerance TOLERANCES[] = {
+    {"layout", 0, 1, "sizes of shared structs are equal"},
+    {"rng", 0, 1, "integer arithmetic: equal bits"},
+    {"camera", 1e-6, 1, "a normalize (5 ulp) and the film position (3 ulp)"},
+    {"phase", 1e-4, 0, "unit vectors carry 1 ulp each; at g = 0.99 the lobe turns that into 1e-5 of its value"},
+    {"hit", 1e-5, 1, "t of a quadratic or an affine map: some 50 ulp of the scene's size"},
+    {"surface", 2e-4, 1, "normal and uv at a point that carries the error of t; uv of a sphere near its poles"},
+    {"texture", 1e-5, 0.1, "weights carry the error of uv times the texture's size: 32 texels"},
+    {"light", 2e-6, 0.1, "a length, a division, a square"},
+    {"cells", 2e-5, 1, "length per cell against the chord: crossings carry 2 ulp of the ray's length in cells"},
+    {"integral", 2e-6, 0.01, "a sum of up to 128 segments, each with 4 roundings, against the box's diagonal"},
+    {"image", 1e-4, 1e-2, "1e-4 relative + 1e-6 absolute at every pixel that sees the same surfaces and shadows"},
+};
+
+constexpr const Tolerance& tolerance(std::string_view name) {
+  for (const Tolerance& row : TOLERANCES)
+    if (row.name == name) return row;
+  throw "no tolerance of that name";
+}
+
+}  // namespace brume

@@ -1,0 +1,66 @@
+// See context.hpp.
+#include "cl/context.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "base/error.hpp"
+
+namespace brume {
+
+namespace {
+
+std::string megabytes(std::size_t bytes) { return std::to_string((bytes + 1048575) / 1048576) + " MiB"; }
+
+// Above this share of the device's memory the system starts to swap or kill: PoCL accepts more and fails later.
+constexpr double MEMORY_SHARE = 0.8;
+
+}  // namespace
+
+std::string cl_error_name(int code) {
+  struct Row {
+    int code;
+    const char* name;
+  };
+  static constexpr std::array<Row, 14> rows{{{CL_DEVICE_NOT_AVAILABLE, "CL_DEVICE_NOT_AVAILABLE"},
+                                             {CL_COMPILER_NOT_AVAILABLE, "CL_COMPILER_NOT_AVAILABLE"},
+                                             {CL_MEM_OBJECT_ALLOCATION_FAILURE, "CL_MEM_OBJECT_ALLOCATION_FAILURE"},
+                                             {CL_OUT_OF_RESOURCES, "CL_OUT_OF_RESOURCES"},
+                                             {CL_OUT_OF_HOST_MEMORY, "CL_OUT_OF_HOST_MEMORY"},
+                                             {CL_BUILD_PROGRAM_FAILURE, "CL_BUILD_PROGRAM_FAILURE"},
+                                             {CL_INVALID_VALUE, "CL_INVALID_VALUE"},
+                                             {CL_INVALID_KERNEL_NAME, "CL_INVALID_KERNEL_NAME"},
+                                             {CL_INVALID_KERNEL_ARGS, "CL_INVALID_KERNEL_ARGS"},
+                                             {CL_INVALID_WORK_GROUP_SIZE, "CL_INVALID_WORK_GROUP_SIZE"},
+                                             {CL_INVALID_BUFFER_SIZE, "CL_INVALID_BUFFER_SIZE"},
+                                             {CL_INVALID_BUILD_OPTIONS, "CL_INVALID_BUILD_OPTIONS"},
+                                             {CL_INVALID_ARG_SIZE, "CL_INVALID_ARG_SIZE"},
+                                             {CL_EXEC_STATUS_ERROR_FOR_EVENTS_IN_WAIT_LIST, "CL_EXEC_STATUS_ERROR"}}};
+  const auto row = std::find_if(rows.begin(), rows.end(), [code](const Row& r) { return r.code == code; });
+  return (row == rows.end() ? std::string("OpenCL error") : std::string(row->name)) + " (" + std::to_string(code) + ")";
+}
+
+Context::Context(const DeviceInfo& device)
+    : device_(device), context_(device.device), queue_(context_, device.device, CL_QUEUE_PROFILING_ENABLE) {}
+
+cl::Buffer Context::buffer(const char* what, std::size_t bytes, const void* data) {
+  const std::size_t size = std::max<std::size_t>(bytes, 16);
+  if (size > device_.max_buffer_bytes)
+    throw RuntimeError(std::string(what) + " need one buffer of " + megabytes(size) + "; " + device_.title() + " allows " +
+                       megabytes(device_.max_buffer_bytes));
+  const auto allowed = static_cast<std::size_t>(MEMORY_SHARE * static_cast<double>(device_.memory_bytes));
+  if (allocated_ + size > allowed)
+    throw RuntimeError(std::string(what) + " bring the scene to " + megabytes(allocated_ + size) + "; " + device_.title() +
+                       " has room for " + megabytes(allowed));
+  try {
+    cl::Buffer result(context_, CL_MEM_READ_WRITE, size);
+    if (bytes > 0 && data != nullptr) queue_.enqueueWriteBuffer(result, CL_TRUE, 0, bytes, data);
+    allocated_ += size;
+    return result;
+  } catch (const cl::Error& error) {
+    throw RuntimeError(std::string(what) + ": allocating " + megabytes(size) + " on " + device_.title() + " failed: " +
+                       cl_error_name(error.err()));
+  }
+}
+
+}  // namespace brume

@@ -1,0 +1,38 @@
+// One device in use: context, queue, buffers with their sizes checked and counted, errors with names.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cl/device.hpp"
+
+namespace brume {
+
+// "CL_OUT_OF_RESOURCES (-5)"
+std::string cl_error_name(int code);
+
+class Context {
+ public:
+  explicit Context(const DeviceInfo& device);
+
+  const DeviceInfo& device() const { return device_; }
+  const cl::Context& cl() const { return context_; }
+  const cl::CommandQueue& queue() const { return queue_; }
+  std::size_t allocated_bytes() const { return allocated_; }
+
+  // A buffer of `bytes` (at least 16, so that an empty array is still a valid argument), filled from `data` unless null.
+  // Throws RuntimeError naming `what`, the size and what the device allows.
+  cl::Buffer buffer(const char* what, std::size_t bytes, const void* data = nullptr);
+  template <class T>
+  cl::Buffer buffer(const char* what, const std::vector<T>& values) {
+    return buffer(what, values.size() * sizeof(T), values.data());
+  }
+
+ private:
+  DeviceInfo device_;
+  cl::Context context_;
+  cl::CommandQueue queue_;
+  std::size_t allocated_ = 0;
+};
+
+}  // namespace brume

@@ -1,0 +1,7 @@
+// The one place that includes Khronos' C++ bindings, with exceptions and the oldest version brume runs on.
+#pragma once
+#define CL_HPP_ENABLE_EXCEPTIONS
+#define CL_HPP_TARGET_OPENCL_VERSION 120
+#define CL_HPP_MINIMUM_OPENCL_VERSION 120
+#define CL_TARGET_OPENCL_VERSION 120
+#include <CL/opencl.hpp>

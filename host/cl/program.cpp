@@ -1,0 +1,74 @@
+// See program.hpp.
+#include "cl/program.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "cl/kernel_text.hpp"
+
+namespace brume {
+
+namespace {
+
+std::string_view kernel_file_text(std::string_view path) {
+  for (const KernelFile& file : kernel_files())
+    if (file.path == path) return file.text;
+  throw RuntimeError("kernel file " + std::string(path) + " is not part of this program");
+}
+
+// The path of an `#include "path"` line, empty for any other line.
+std::string_view include_path(std::string_view line) {
+  constexpr std::string_view word = "#include \"";
+  if (line.substr(0, word.size()) != word) return {};
+  return line.substr(word.size(), line.rfind('"') - word.size());
+}
+
+void source_append(std::string_view text, std::string_view name, std::set<std::string>& seen, std::string& out) {
+  out += "#line 1 \"" + std::string(name) + "\"\n";
+  std::istringstream lines{std::string(text)};
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    const std::string_view path = include_path(line);
+    if (path.empty()) {
+      out += line + "\n";
+    } else if (seen.insert(std::string(path)).second) {
+      source_append(kernel_file_text(path), path, seen, out);
+      out += "#line " + std::to_string(number + 1) + " \"" + std::string(name) + "\"\n";
+    }
+  }
+}
+
+std::string source_keep(const std::string& source) {
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / "brume-failed-kernel.cl";
+  std::ofstream(path) << source;
+  return path.string();
+}
+
+}  // namespace
+
+std::string kernel_source_text(std::string_view text, std::string_view name) {
+  std::set<std::string> seen;
+  std::string out;
+  source_append(text, name, seen, out);
+  return out;
+}
+
+std::string kernel_source(std::string_view path) { return kernel_source_text(kernel_file_text(path), path); }
+
+cl::Program program_build(const Context& context, const std::string& source, const std::string& options) {
+  cl::Program program(context.cl(), source);
+  try {
+    program.build({context.device().device}, ("-cl-std=CL1.2 -w " + options).c_str());
+  } catch (const cl::Error& error) {
+    const std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(context.device().device);
+    throw RuntimeError("kernel build failed on " + context.device().title() + ", driver " + context.device().driver + ": " +
+                       cl_error_name(error.err()) + "\n" + log + "\noptions: " + options +
+                       "\nsource kept in " + source_keep(source));
+  }
+  return program;
+}
+
+}  // namespace brume

@@ -1,0 +1,20 @@
+// Kernel text to program: the embedded files of kernels/ with their includes resolved, built with given options.
+#pragma once
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cl/context.hpp"
+
+namespace brume {
+
+// The text of kernels/`path` with every quoted include inlined once, #line directives naming the original places. Resolved
+// here and not by the driver, so that every OpenCL implementation sees one and the same string.
+std::string kernel_source(std::string_view path);
+// The same for a text that is not one of the embedded files (tests' kernels); `name` is what #line says.
+std::string kernel_source_text(std::string_view text, std::string_view name);
+
+// Builds the program. On failure throws RuntimeError with the build log and keeps the source in the temporary folder.
+cl::Program program_build(const Context& context, const std::string& source, const std::string& options);
+
+}  // namespace brume

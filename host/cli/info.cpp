@@ -1,0 +1,137 @@
+// brume info: what a scene, volume or mesh file holds.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "cli/command.hpp"
+#include "flat/flatten.hpp"
+#include "mesh/mesh.hpp"
+#include "scene/families.hpp"
+#include "scene/scene_reader.hpp"
+#include "volume/density_source.hpp"
+#include "volume/volume_file.hpp"
+
+namespace brume {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Path = std::filesystem::path;
+
+template <class V>
+Json triple(const V& v) {
+  return {v.x, v.y, v.z};
+}
+
+// Bricks as the kernels will hold them, and densities as a medium sees them.
+Json grid_details(const Path& file, const std::string& name) {
+  DensitySpec spec;
+  spec.type = "file";
+  spec.file = file;
+  spec.grid = name;
+  const GridStats stats = grid_stats(density_make(spec));
+  return {{"min", stats.min}, {"max", stats.max}, {"mean", stats.mean}, {"nonzero_voxels", stats.nonzero}};
+}
+
+Json info_volume(const Path& file) {
+  Json grids = Json::array();
+  for (const VolumeGridInfo& g : volume_list(file)) {
+    Json grid{{"name", g.name},
+              {"values", g.type},
+              {"class", g.grid_class},
+              {"active_voxels", g.active_voxels},
+              {"index_min", triple(g.index_min)},
+              {"index_max", triple(g.index_max)},
+              {"voxel_size", triple(g.voxel_size)}};
+    if (g.refusal.empty()) grid["density"] = grid_details(file, g.name);
+    else grid["no_density_because"] = g.refusal;
+    grids.push_back(grid);
+  }
+  return {{"file", file.string()}, {"kind", "volume"}, {"grids", grids}};
+}
+
+Json info_mesh(const Path& file) {
+  const Mesh mesh = mesh_read_obj(file);
+  dvec3 lo = mesh.positions[0], hi = lo;
+  for (const dvec3& p : mesh.positions) {
+    lo = glm::min(lo, p);
+    hi = glm::max(hi, p);
+  }
+  Json materials = Json::array();
+  for (const MeshMaterial& m : mesh.materials) materials.push_back({{"name", m.name}, {"texture", m.texture.string()}});
+  return {{"file", file.string()}, {"kind", "mesh"}, {"triangles", mesh.triangles.size()}, {"vertices", mesh.positions.size()},
+          {"normals", mesh.normals.size()}, {"texture_coordinates", mesh.uvs.size()}, {"min", triple(lo)}, {"max", triple(hi)},
+          {"materials", materials}, {"notes", mesh.notes}};
+}
+
+Json medium_info(const FlatScene& flat, const Medium& m) {
+  std::size_t stored = 0, empty = 0, constant = 0;
+  const std::size_t count = std::size_t(m.brick_nx) * m.brick_ny * m.brick_nz;
+  for (std::size_t i = m.brick_offset; i < m.brick_offset + count; ++i) {
+    empty += flat.bricks[i] == BRICK_EMPTY;
+    constant += flat.bricks[i] != BRICK_EMPTY && flat.brick_ranges[2 * i] == flat.brick_ranges[2 * i + 1];
+    stored += flat.bricks[i] != BRICK_EMPTY;
+  }
+  return {{"method", family_name(method_family(), m.method)}, {"interpolation", family_name(interpolation_family(), m.interpolation)},
+          {"cells", {m.cells_x, m.cells_y, m.cells_z}}, {"step", m.step},
+          {"bricks", {{"all", count}, {"stored", stored}, {"empty", empty}, {"constant", constant}}}};
+}
+
+Json info_scene(const Path& file) {
+  const SceneDesc desc = scene_read(file, {});
+  const FlatScene flat = flatten(desc, {});
+  Json media = Json::array();
+  for (const Medium& m : flat.media) media.push_back(medium_info(flat, m));
+  return {{"file", file.string()}, {"kind", "scene"}, {"size", {desc.film.size.x, desc.film.size.y}}, {"spp", desc.film.spp},
+          {"lights", flat.lights.size()}, {"materials", desc.materials.size()}, {"textures", flat.textures.size()},
+          {"shapes", flat.shapes.size()}, {"triangles", flat.triangles.size()}, {"media", media},
+          {"bytes", {{"voxels", flat.voxels.size() * sizeof(float)}, {"brick_index", flat.bricks.size() * sizeof(std::int32_t)},
+                     {"textures", flat.texels.size() * sizeof(float)}, {"triangles", flat.triangles.size() * sizeof(Triangle)},
+                     {"bvh", (flat.bvh_nodes.size() + flat.bvh_blocks.size()) * sizeof(float)}}},
+          {"notes", flat.notes}};
+}
+
+struct InfoRow {
+  const char* extension;
+  Json (*describe)(const Path&);
+};
+constexpr InfoRow INFO[] = {{".json", info_scene}, {".vdb", info_volume}, {".obj", info_mesh}};
+
+// Nested objects as indented lines "key: value".
+void print_plain(const Json& json, int indent) {
+  for (const auto& [key, value] : json.items()) {
+    const bool nested = value.is_object() || (value.is_array() && !value.empty() && value[0].is_object());
+    const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+    std::printf("%*s%s:%s%s\n", indent, "", key.c_str(), nested ? "" : " ", nested ? "" : text.c_str());
+    if (nested) print_plain(value, indent + 2);
+  }
+}
+
+int info_run(const Path& file, bool json) {
+  std::string known;
+  for (const InfoRow& row : INFO) {
+    known += (known.empty() ? "" : ", ") + std::string(row.extension);
+    if (file.extension() != row.extension) continue;
+    const Json info = row.describe(file);
+    if (json) std::printf("%s\n", info.dump(2).c_str());
+    else print_plain(info, 0);
+    return 0;
+  }
+  throw InputError(file.string() + ": unknown kind of file '" + file.extension().string() + "'; known: " + known);
+}
+
+}  // namespace
+
+void command_info(CLI::App& app, Command& run) {
+  CLI::App* command = app.add_subcommand("info", "Say what a scene, volume or mesh file holds");
+  auto file = std::make_shared<Path>();
+  auto json = std::make_shared<bool>(false);
+  command->add_option("file", *file, "Scene (.json), volume (.vdb) or mesh (.obj)")->required();
+  command->add_flag("--json", *json, "Print JSON");
+  command->callback([file, json, &run] { run = [file, json] { return info_run(*file, *json); }; });
+}
+
+}  // namespace brume

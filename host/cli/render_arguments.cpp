@@ -1,0 +1,99 @@
+// See render_arguments.hpp.
+#include "cli/render_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "film/film_display.hpp"
+#include "film/film.hpp"
+#include "scene/families.hpp"
+
+namespace brume {
+
+namespace {
+
+// N integers separated by one character, nothing else.
+template <std::size_t N>
+std::array<int, N> integers(const std::string& option, const std::string& text, char separator, const char* expected) {
+  std::array<int, N> values{};
+  std::istringstream in(text);
+  for (std::size_t i = 0; i < N; ++i) {
+    char found = separator;
+    if ((i > 0 && (!in.get(found) || found != separator)) || !(in >> values[i]))
+      throw InputError(option + ": expected " + expected + ", got '" + text + "'");
+  }
+  if (in.peek() != std::istringstream::traits_type::eof()) throw InputError(option + ": expected " + expected + ", got '" + text + "'");
+  return values;
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+}  // namespace
+
+void RenderArguments::add_options(CLI::App& command) {
+  command.add_option("scene", scene, "Scene (.json), volume (.vdb) or mesh (.obj)")->required();
+  command.add_option("-o,--output", outputs, "Picture: .exr linear float with AOVs; .png, .jpg for display. Repeatable; default NAME.png");
+  command.add_option("--size", size, "Film size WxH in pixels");
+  command.add_option("--spp", spp, "Samples per pixel");
+  command.add_option("--seed", seed, "Seed of the random numbers");
+  command.add_option("--crop", crop, "Render only pixels X0,Y0 (inclusive) to X1,Y1 (exclusive)");
+  command.add_option("--exposure", exposure, "Stops for the display formats");
+  command.add_option("--aov", aov, "Comma-separated planes for .exr: " + family_names(aov_family()));
+  command.add_option("--device", device, "Index or part of the name of an OpenCL device (see brume devices)");
+  command.add_option("--method", method, "Transmittance method: auto, " + family_names(method_family()));
+  command.add_option("--step", step, "Marching step as a share of the medium's longest side");
+  command.add_option("--shadow", shadow, "Light inside media: trace");
+  command.add_option("--max-error", max_error, "Accuracy to reach (not available yet)");
+  command.add_option("--lanes", lanes, "SIMD lanes inside a work-item; default by device")->check(CLI::IsMember({1, 4, 8, 16}));
+  command.add_flag("--generic", generic, "Kernels with every feature, not only those of the scene");
+  command.add_option("--set", overrides, "/json/pointer=VALUE: override a value of the scene. Repeatable");
+  command.add_option("--save-scene", save_scene, "Write the scene that was rendered, to go on from");
+  command.add_option("--stats", stats, "Write times, counts and memory as JSON");
+  command.add_flag("--quiet", quiet, "No progress, no notes");
+}
+
+void RenderArguments::complete() {
+  if (outputs.empty()) outputs.push_back(scene.stem().string() + ".png");
+}
+
+std::vector<std::string> RenderArguments::all_overrides() const {
+  std::vector<std::string> all = overrides;
+  if (!size.empty()) {
+    const auto wh = integers<2>("--size", size, 'x', "WxH");
+    all.push_back("/film/size=[" + std::to_string(wh[0]) + "," + std::to_string(wh[1]) + "]");
+  }
+  if (spp) all.push_back("/film/spp=" + std::to_string(*spp));
+  if (exposure) all.push_back("/film/exposure=" + number(*exposure));
+  if (seed) all.push_back("/render/seed=" + std::to_string(*seed));
+  if (step) all.push_back("/render/step=" + number(*step));
+  if (max_error) all.push_back("/render/max_error=" + number(*max_error));
+  if (!method.empty()) all.push_back("/render/method=\"" + method + "\"");
+  if (!shadow.empty()) all.push_back("/render/shadow=\"" + shadow + "\"");
+  return all;
+}
+
+std::array<int, 4> RenderArguments::crop_box() const {
+  if (crop.empty()) return {};
+  const auto box = integers<4>("--crop", crop, ',', "X0,Y0,X1,Y1");
+  if (box[0] >= box[2] || box[1] >= box[3]) throw InputError("--crop: expected X0 < X1 and Y0 < Y1, got '" + crop + "'");
+  return box;
+}
+
+std::vector<Aov> RenderArguments::aovs() const {
+  std::vector<Aov> list;
+  std::istringstream names(aov);
+  for (std::string name; std::getline(names, name, ',');) {
+    const FamilyRow* row = family_find(aov_family(), name);
+    if (!row) throw InputError("--aov: unknown plane '" + name + "'; known: " + family_names(aov_family()));
+    list.push_back(static_cast<Aov>(row->id));
+  }
+  return list;
+}
+
+}  // namespace brume

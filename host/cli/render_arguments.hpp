@@ -1,0 +1,38 @@
+// What `brume render` was asked for on the command line.
+#pragma once
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "shared/aov.h"
+
+namespace CLI {
+class App;
+}
+
+namespace brume {
+
+struct RenderArguments {
+  std::filesystem::path scene;
+  std::vector<std::filesystem::path> outputs;
+  std::string size, crop, method, shadow, device, aov;
+  std::optional<double> exposure, step, max_error;
+  std::optional<int> spp, seed;
+  int lanes = 0;  // 0: the device's choice
+  bool generic = false, quiet = false;
+  std::vector<std::string> overrides;
+  std::filesystem::path stats, save_scene;
+
+  void add_options(CLI::App& command);
+  // Without -o the picture is NAME.png in the current folder.
+  void complete();
+
+  // --set and the options that stand for a scene value, as "/json/pointer=VALUE".
+  std::vector<std::string> all_overrides() const;
+  std::array<int, 4> crop_box() const;  // all 0: the whole film
+  std::vector<Aov> aovs() const;
+};
+
+}  // namespace brume

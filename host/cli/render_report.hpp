@@ -1,0 +1,24 @@
+// What a finished render says of itself: the --stats file, the metadata of an EXR, one line for the terminal.
+#pragma once
+#include <string>
+
+#include "cl/device.hpp"
+#include "flat/flat_scene.hpp"
+#include "image/image.hpp"
+#include "render/renderer.hpp"
+#include "scene/scene_desc.hpp"
+
+namespace brume {
+
+struct RunTimes {
+  double load_s = 0;   // reading the scene and its files, flattening
+  double total_s = 0;  // process start to last file written
+};
+
+std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device, const RenderStats& stats,
+                              const RunTimes& times);
+ImageMetadata render_metadata(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device, const RenderStats& stats);
+std::string render_summary(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device, const RenderStats& stats,
+                           const RunTimes& times);
+
+}  // namespace brume

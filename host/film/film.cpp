@@ -1,0 +1,91 @@
+// Sums to means: how each plane follows from a pixel's sums. One row per AOV; no files, no tone curve.
+#include "film/film.hpp"
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace brume {
+
+namespace {
+
+using Values = std::array<float, 3>;
+
+Values scaled(const Packed3& sum, double factor) {
+  return {static_cast<float>(sum.x * factor), static_cast<float>(sum.y * factor), static_cast<float>(sum.z * factor)};
+}
+
+Values mean(const Packed3& sum, float count) { return count > 0 ? scaled(sum, 1.0 / double(count)) : Values{}; }
+
+Values depth_of(const FilmPixel& pixel) {
+  return {pixel.hits > 0 ? pixel.depth / pixel.hits : std::numeric_limits<float>::infinity()};
+}
+
+// The sum of unit vectors is shorter than its count where a pixel sees several surfaces: unit length again.
+Values normal_of(const FilmPixel& pixel) {
+  const Packed3& n = pixel.normal;
+  const double length = std::hypot(double(n.x), double(n.y), double(n.z));
+  return length > 0 ? scaled(n, 1.0 / length) : Values{};
+}
+
+Values transmittance_of(const FilmPixel& pixel) { return mean(pixel.transmittance, pixel.samples); }
+
+Values cost_of(const FilmPixel& pixel) { return {pixel.samples > 0 ? pixel.lookups / pixel.samples : 0.0f}; }
+
+struct AovRow {
+  const char* name;
+  int channels;
+  const char* letters;  // of the channels within the layer
+  Values (*values)(const FilmPixel&);
+};
+
+constexpr const char* LETTERS[] = {"Z", "XYZ", "RGB", "Y"};
+constexpr Values (*VALUES[])(const FilmPixel&) = {depth_of, normal_of, transmittance_of, cost_of};
+static_assert(std::size(LETTERS) == AOV_COUNT && std::size(VALUES) == AOV_COUNT, "one entry per row of BRUME_AOVS");
+
+const AovRow AOVS[] = {
+#define ROW(id, name, channels, help) {name, channels, LETTERS[AOV_##id], VALUES[AOV_##id]},
+    BRUME_AOVS(ROW)
+#undef ROW
+};
+
+}  // namespace
+
+const Family& aov_family() {
+  static const Family family = {
+#define ROW(id, name, channels, help) {AOV_##id, name, help},
+      BRUME_AOVS(ROW)
+#undef ROW
+  };
+  return family;
+}
+
+int aov_channels(Aov aov) { return AOVS[aov].channels; }
+
+std::vector<std::string> aov_channel_names(Aov aov) {
+  std::vector<std::string> names;
+  for (const char* letter = AOVS[aov].letters; *letter; ++letter)
+    names.push_back(std::string(AOVS[aov].name) + "." + *letter);
+  return names;
+}
+
+Plane Film::radiance() const {
+  Plane plane{"rgb", 3, {}};
+  plane.values.reserve(pixels_.size() * 3);
+  for (const FilmPixel& pixel : pixels_)
+    for (float value : mean(pixel.radiance, pixel.samples)) plane.values.push_back(value);
+  return plane;
+}
+
+Plane Film::aov(Aov aov) const {
+  const AovRow& row = AOVS[aov];
+  Plane plane{row.name, row.channels, {}};
+  plane.values.reserve(pixels_.size() * std::size_t(row.channels));
+  for (const FilmPixel& pixel : pixels_) {
+    const Values values = row.values(pixel);
+    plane.values.insert(plane.values.end(), values.begin(), values.begin() + row.channels);
+  }
+  return plane;
+}
+
+}  // namespace brume

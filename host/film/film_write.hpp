@@ -1,0 +1,24 @@
+// A film into an image file: linear with its AOVs as layers (.exr), or through the display curve (.png, .jpg).
+#pragma once
+#include <filesystem>
+#include <vector>
+
+#include "film/film.hpp"
+#include "image/image.hpp"
+
+namespace brume {
+
+struct FilmWriteOptions {
+  double exposure = 0;     // stops, display formats only
+  std::vector<Aov> aovs;   // linear formats only
+  ImageMetadata metadata;  // linear formats only; stored as "brume:<key>"
+};
+
+// The extension decides: linear radiance R, G, B and layers such as "normal.X", or display values. Errors: those of
+// image_write_exr and image_write_display. To fail before the rendering, call image_check_writable first.
+void film_write(const Film& film, const std::filesystem::path& file, const FilmWriteOptions& options);
+
+// The radiance as an image with channels R, G, B, as a written .exr reads back.
+Image film_image(const Film& film);
+
+}  // namespace brume

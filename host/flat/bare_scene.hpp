@@ -1,0 +1,16 @@
+// A scene for a volume or a mesh that comes alone: camera that frames it, a key light from the upper left, coefficients that make
+// the densest view about τ = 4.
+#pragma once
+#include <filesystem>
+
+#include "scene/scene_desc.hpp"
+
+namespace brume {
+
+// True for the files that bare_scene takes: .vdb and .obj.
+bool bare_scene_takes(const std::filesystem::path& file);
+
+// `report` receives one line saying what was chosen (σt, the densest view, ...).
+SceneDesc bare_scene(const std::filesystem::path& file, std::string& report);
+
+}  // namespace brume

@@ -1,0 +1,113 @@
+// Grid → bricks. Nearest: cell c is voxel c. Trilinear: samples are padded by one on each side (by the border rule), so that padded
+// sample s = i + 1 sits at cell-space position s, which is lattice + 0.5.
+#include <algorithm>
+#include <map>
+
+#include "base/error.hpp"
+#include "flat/flatten_parts.hpp"
+
+namespace brume {
+
+namespace {
+
+// 32-bit offsets into the voxels: kernels gather with int lanes.
+constexpr std::int64_t VOXELS_MAX = 0x7fffffff;
+
+// Sample s of the (padded) lattice.
+float padded_sample(const Grid& grid, ivec3 s, int pad) {
+  const ivec3 i = s - pad, last = grid.size() - 1;
+  const ivec3 inside = glm::clamp(i, ivec3(0), last);
+  if (grid.border == Border::ZERO && pad > 0 && inside != i) return 0.0f;
+  return grid.at(inside);
+}
+
+struct Brick {
+  std::array<float, BRICK_VALUES> samples;
+  float min, max;
+};
+
+// Samples of the brick at brick coordinates b. min and max are over the samples that lookups of its cells read.
+Brick brick_cut(const Grid& grid, ivec3 b, int pad) {
+  Brick brick;
+  brick.min = INFINITY;
+  brick.max = -INFINITY;
+  const int read = pad > 0 ? BRICK_SAMPLES : BRICK_CELLS;
+  float* out = brick.samples.data();
+  for (int z = 0; z < BRICK_SAMPLES; ++z)
+    for (int y = 0; y < BRICK_SAMPLES; ++y)
+      for (int x = 0; x < BRICK_SAMPLES; ++x) {
+        const float value = padded_sample(grid, b * BRICK_CELLS + ivec3(x, y, z), pad);
+        *out++ = value;
+        if (x >= read || y >= read || z >= read) continue;
+        brick.min = std::min(brick.min, value);
+        brick.max = std::max(brick.max, value);
+      }
+  return brick;
+}
+
+// True when no stored block of the grid can reach the brick.
+bool brick_surely_empty(const Grid& grid, ivec3 b, int pad) {
+  const ivec3 last = grid.size() - 1;
+  const ivec3 lo = glm::clamp(b * BRICK_CELLS - pad, ivec3(0), last) / GRID_BLOCK;
+  const ivec3 hi = glm::clamp(b * BRICK_CELLS + BRICK_SAMPLES - 1 - pad, ivec3(0), last) / GRID_BLOCK;
+  for (int z = lo.z; z <= hi.z; ++z)
+    for (int y = lo.y; y <= hi.y; ++y)
+      for (int x = lo.x; x <= hi.x; ++x)
+        if (!grid.block_empty({x, y, z})) return false;
+  return true;
+}
+
+// Stores the brick's samples and returns its number; bricks of one constant value share one.
+std::int32_t brick_store(const Brick& brick, std::map<float, std::int32_t>& constants, FlatScene& scene, const std::string& source) {
+  const bool constant = brick.min == brick.max;
+  const auto number = static_cast<std::int32_t>(scene.voxels.size() / BRICK_VALUES);
+  if (constant) {
+    const auto known = constants.find(brick.min);
+    if (known != constants.end()) return known->second;
+    constants[brick.min] = number;
+  }
+  if (static_cast<std::int64_t>(scene.voxels.size()) + BRICK_VALUES > VOXELS_MAX)
+    throw InputError(source + ": more than " + std::to_string(VOXELS_MAX / BRICK_VALUES) +
+                     " bricks of 8x8x8 cells hold values; allowed are that many (8 GiB)");
+  scene.voxels.insert(scene.voxels.end(), brick.samples.begin(), brick.samples.end());
+  return number;
+}
+
+}  // namespace
+
+void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene) {
+  const int pad = medium.interpolation == INTERPOLATION_TRILINEAR ? 1 : 0;
+  const ivec3 cells = grid.size() + pad;
+  const ivec3 bricks = (cells + BRICK_CELLS - 1) / BRICK_CELLS;
+  const double lo = pad > 0 && grid.border == Border::CLAMP ? 0.5 : 0.0;
+  medium.lo = packed(dvec3(lo));
+  medium.hi = packed(dvec3(cells) - lo);
+  medium.cells_x = cells.x;
+  medium.cells_y = cells.y;
+  medium.cells_z = cells.z;
+  medium.brick_nx = bricks.x;
+  medium.brick_ny = bricks.y;
+  medium.brick_nz = bricks.z;
+  medium.brick_offset = static_cast<int>(scene.bricks.size());
+  if (static_cast<std::int64_t>(bricks.x) * bricks.y * bricks.z + medium.brick_offset > 0x7fffffff)
+    throw InputError(grid.source + ": " + std::to_string(bricks.x) + "x" + std::to_string(bricks.y) + "x" + std::to_string(bricks.z) +
+                     " bricks are more than 2^31");
+  std::map<float, std::int32_t> constants;
+  for (int z = 0; z < bricks.z; ++z)
+    for (int y = 0; y < bricks.y; ++y)
+      for (int x = 0; x < bricks.x; ++x) {
+        const ivec3 b(x, y, z);
+        std::int32_t entry = BRICK_EMPTY;
+        float min = 0, max = 0;
+        if (!brick_surely_empty(grid, b, pad)) {
+          const Brick brick = brick_cut(grid, b, pad);
+          min = brick.min;
+          max = brick.max;
+          if (max > 0) entry = brick_store(brick, constants, scene, grid.source);
+        }
+        scene.bricks.push_back(entry);
+        scene.brick_ranges.insert(scene.brick_ranges.end(), {min, max});
+      }
+}
+
+}  // namespace brume

@@ -1,0 +1,46 @@
+// The scene as flat arrays of shared structs: the only thing that both kernels and reference see. No pointers, no files.
+#pragma once
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "shared/bvh.h"
+#include "shared/frame.h"
+#include "shared/light.h"
+#include "shared/material.h"
+#include "shared/medium.h"
+#include "shared/shape.h"
+
+namespace brume {
+
+struct FlatScene {
+  // All positions are relative to `origin` (world units): float is spent on the scene, not on where it stands.
+  glm::dvec3 origin{0};
+  Frame frame{};
+
+  std::vector<Light> lights;
+  std::vector<Material> materials;
+  std::vector<Texture> textures;
+  std::vector<float> texels;      // 3 per texel, linear RGB
+
+  std::vector<Shape> shapes;
+  std::vector<Triangle> triangles;
+  int bvh_width = 4;
+  std::vector<float> bvh_nodes;   // layout: shared/bvh.h
+  std::vector<std::int32_t> bvh_links;
+  std::vector<float> bvh_blocks;
+  std::vector<std::int32_t> bvh_ids;
+
+  std::vector<Medium> media;
+  std::vector<std::int32_t> bricks;  // entries of all media, layout: shared/medium.h
+  std::vector<float> brick_ranges;
+  std::vector<float> voxels;
+
+  int method = 0;                 // Method, resolved: never auto
+  double exposure = 0;
+  std::string name;               // of the scene file, for metadata and stats
+  std::vector<std::string> notes; // what a user should be told once (dropped triangles, cleaned texels, ...)
+};
+
+}  // namespace brume

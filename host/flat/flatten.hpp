@@ -1,0 +1,18 @@
+// SceneDesc → FlatScene: loads volumes, meshes and images, resolves the method, lays everything out for the kernels.
+#pragma once
+#include "flat/bounds.hpp"
+#include "flat/flat_scene.hpp"
+#include "scene/scene_desc.hpp"
+#include "volume/grid.hpp"
+
+namespace brume {
+
+struct FlattenOptions {
+  int bvh_width = 4;                      // a multiple of the lanes that will traverse it
+  std::array<int, 4> crop{0, 0, 0, 0};    // x0, y0, x1, y1 in pixels; empty: the whole film
+};
+
+// Throws InputError naming the place in the scene (or the file behind it) for whatever cannot be rendered.
+FlatScene flatten(const SceneDesc& desc, const FlattenOptions& options);
+
+}  // namespace brume

@@ -1,0 +1,104 @@
+// Materials of the scene and of meshes, and their textures.
+#include <map>
+
+#include "base/error.hpp"
+#include "flat/flatten_parts.hpp"
+#include "image/image.hpp"
+
+namespace brume {
+
+namespace {
+
+// Loads every image once, however many materials name it.
+class TextureTable {
+ public:
+  explicit TextureTable(FlatScene& scene) : scene_(scene) {}
+
+  int add(const TextureDesc& desc) {
+    if (desc.type == TEXTURE_IMAGE) return add_image(desc.file);
+    Texture t{};
+    t.type = TEXTURE_CHECKER;
+    t.color_a = packed(desc.colors[0]);
+    t.color_b = packed(desc.colors[1]);
+    t.scale = static_cast<float>(desc.scale);
+    return append(t);
+  }
+
+  int add_image(const std::filesystem::path& file) {
+    const auto known = images_.find(file);
+    if (known != images_.end()) return known->second;
+    const Image image = image_read_texture(file);
+    if (image.cleaned > 0)
+      scene_.notes.push_back(file.string() + ": " + std::to_string(image.cleaned) + " texels that were NaN, infinite or negative are 0");
+    Texture t{};
+    t.type = TEXTURE_IMAGE;
+    t.width = image.width;
+    t.height = image.height;
+    t.offset = static_cast<uint>(scene_.texels.size() / 3);
+    for (int row = image.height - 1; row >= 0; --row) {  // files begin at the top, v = 0 is the bottom
+      const auto begin = image.values.begin() + std::ptrdiff_t(row) * image.width * 3;
+      scene_.texels.insert(scene_.texels.end(), begin, begin + std::ptrdiff_t(image.width) * 3);
+    }
+    return images_[file] = append(t);
+  }
+
+ private:
+  int append(const Texture& t) {
+    scene_.textures.push_back(t);
+    return static_cast<int>(scene_.textures.size()) - 1;
+  }
+
+  FlatScene& scene_;
+  std::map<std::filesystem::path, int> images_;
+};
+
+Material material_flatten(const MaterialDesc& m, TextureTable& textures) {
+  Material out{};
+  out.model = m.model;
+  out.diffuse = packed(m.diffuse);
+  out.specular = packed(m.specular);
+  out.shininess = static_cast<float>(m.shininess);
+  out.ambient = packed(m.ambient);
+  out.emission = packed(m.emission);
+  out.ior = static_cast<float>(m.ior);
+  out.reflection = static_cast<float>(m.reflection);
+  out.refraction = static_cast<float>(m.refraction);
+  out.texture = m.texture ? textures.add(*m.texture) : -1;
+  return out;
+}
+
+// A mesh's own material; a texture that cannot be used is told, not fatal: the scene file did not ask for it.
+Material material_flatten(const MeshMaterial& m, TextureTable& textures, std::vector<std::string>& notes) {
+  MaterialDesc desc;
+  desc.diffuse = m.diffuse;
+  desc.specular = m.specular;
+  desc.ambient = m.ambient;
+  desc.emission = m.emission;
+  desc.shininess = m.shininess;
+  desc.model = m.specular == dvec3(0) ? MATERIAL_LAMBERT : MATERIAL_BLINN_PHONG;
+  Material out = material_flatten(desc, textures);
+  if (m.texture.empty()) return out;
+  try {
+    out.texture = textures.add_image(m.texture);
+  } catch (const InputError& error) {
+    notes.push_back(std::string(error.what()) + "; the material goes without it");
+  }
+  return out;
+}
+
+}  // namespace
+
+void flatten_materials(const SceneDesc& desc, LoadedShapes& shapes, FlatScene& scene) {
+  TextureTable textures(scene);
+  for (const MaterialDesc& m : desc.materials) scene.materials.push_back(material_flatten(m, textures));
+  shapes.default_material = static_cast<int>(scene.materials.size());
+  scene.materials.push_back(material_flatten(MaterialDesc{}, textures));
+  for (const LoadedMesh& mesh : shapes.meshes) {
+    shapes.first_material.push_back(static_cast<int>(scene.materials.size()));
+    if (mesh.shape->material >= 0) continue;
+    for (const MeshMaterial& m : mesh.mesh.materials) scene.materials.push_back(material_flatten(m, textures, scene.notes));
+  }
+  scene.frame.material_count = static_cast<int>(scene.materials.size());
+}
+
+}  // namespace brume

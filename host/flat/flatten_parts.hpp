@@ -1,0 +1,49 @@
+// The parts of flatten(), in the order in which it calls them. Loading comes first because the origin depends on all of it.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "flat/bounds.hpp"
+#include "flat/flat_scene.hpp"
+#include "flat/transform.hpp"
+#include "mesh/mesh.hpp"
+#include "scene/scene_desc.hpp"
+#include "volume/grid.hpp"
+
+namespace brume {
+
+// A medium with its grid in memory. Constant media have a grid only where a voxel method asks for one.
+struct LoadedMedium {
+  const MediumDesc* desc;
+  int method;                 // resolved, never auto
+  bool is_constant, sphere;   // closed form; cut to a sphere
+  double constant = 0;
+  std::optional<Grid> grid;
+  dmat4 world_from_lattice{1.0};  // lattice: [0, size] of the grid, or the unit cube of a constant medium
+};
+std::vector<LoadedMedium> load_media(const SceneDesc& desc, std::vector<std::string>& notes);
+void medium_bounds_add(const LoadedMedium& medium, Bounds& bounds);
+
+struct LoadedMesh {
+  const ShapeDesc* shape;
+  Mesh mesh;
+};
+struct LoadedShapes {
+  std::vector<const ShapeDesc*> analytic;
+  std::vector<LoadedMesh> meshes;  // single triangles too
+  std::vector<int> first_material; // per mesh: where its own materials begin in FlatScene::materials
+  int default_material = 0;
+  Bounds bounds;                   // of everything finite
+};
+LoadedShapes load_shapes(const SceneDesc& desc, std::vector<std::string>& notes);
+
+void flatten_camera(const SceneDesc& desc, FlatScene& scene);
+void flatten_lights(const SceneDesc& desc, FlatScene& scene);
+void flatten_materials(const SceneDesc& desc, LoadedShapes& shapes, FlatScene& scene);
+void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene);
+void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media, FlatScene& scene);
+
+// Appends the bricks of a grid: entries, ranges and samples (layout: shared/medium.h); fills in the medium's geometry.
+void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene);
+
+}  // namespace brume

@@ -1,0 +1,179 @@
+// Shapes: analytic ones become Shape records, triangles and meshes become Triangles in world space behind a BVH.
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+
+#include "accel/bvh.hpp"
+#include "base/error.hpp"
+#include "flat/flatten_parts.hpp"
+
+namespace brume {
+
+namespace {
+
+template <class... Values>
+void put(Shape& shape, int at, const Values&... values) {
+  const auto one = [&](const dvec3& v) {
+    for (int i = 0; i < 3; ++i) shape.data[at++] = static_cast<float>(v[i]);
+  };
+  (one(values), ...);
+}
+
+// Analytic shapes into records, relative to the origin (layout: shared/shape.h).
+struct PackShape {
+  const dvec3& origin;
+  Shape& out;
+
+  void operator()(const SphereDesc& s) const {
+    out.type = SHAPE_SPHERE;
+    put(out, 0, s.center - origin);
+    out.data[3] = static_cast<float>(s.radius);
+  }
+  void operator()(const CylinderDesc& c) const {
+    const dvec3 axis = glm::normalize(c.top - c.base);
+    out.type = SHAPE_CYLINDER;
+    put(out, 0, c.base - origin, axis);
+    out.data[6] = static_cast<float>(glm::length(c.top - c.base));
+    out.data[7] = static_cast<float>(c.radius);
+    put(out, 8, tangent(axis));
+  }
+  void operator()(const PlaneDesc& p) const {
+    const dvec3 normal = glm::normalize(p.normal);
+    out.type = SHAPE_PLANE;
+    put(out, 0, p.point - origin, normal, tangent(normal));
+  }
+  void operator()(const QuadDesc& q) const {
+    out.type = SHAPE_QUAD;
+    put(out, 0, q.corner - origin, q.u, q.v);
+  }
+  void operator()(const BoxDesc& b) const {
+    out.type = SHAPE_BOX;
+    dmat4 world_from_unit(1.0);
+    for (int i = 0; i < 3; ++i) {
+      world_from_unit[i][i] = b.max[i] - b.min[i];
+      world_from_unit[3][i] = b.min[i];
+    }
+    world_from_unit = transform_matrix(b.transform) * world_from_unit;
+    world_from_unit[3] -= glm::dvec4(origin, 0.0);
+    const Affine a = affine(glm::inverse(world_from_unit));
+    std::copy(a.m, a.m + 12, out.data);
+  }
+  void operator()(const TriangleDesc&) const {}
+  void operator()(const MeshDesc&) const {}
+};
+
+// Corners of everything finite.
+struct AddBounds {
+  Bounds& bounds;
+  void box(const dvec3& lo, const dvec3& hi, const dmat4& m = dmat4(1.0)) const {
+    for (int c = 0; c < 8; ++c)
+      bounds.add(transform_point(m, dvec3(c & 1 ? hi.x : lo.x, c & 2 ? hi.y : lo.y, c & 4 ? hi.z : lo.z)));
+  }
+  void operator()(const SphereDesc& s) const { box(s.center - s.radius, s.center + s.radius); }
+  void operator()(const CylinderDesc& c) const {
+    box(c.base - c.radius, c.base + c.radius);
+    box(c.top - c.radius, c.top + c.radius);
+  }
+  void operator()(const PlaneDesc&) const {}
+  void operator()(const QuadDesc& q) const {
+    for (int c = 0; c < 4; ++c) bounds.add(q.corner + double(c & 1) * q.u + double(c >> 1) * q.v);
+  }
+  void operator()(const BoxDesc& b) const { box(b.min, b.max, transform_matrix(b.transform)); }
+  void operator()(const TriangleDesc& t) const {
+    for (const dvec3& p : t.vertices) bounds.add(p);
+  }
+  void operator()(const MeshDesc&) const {}  // added with its vertices
+};
+
+Mesh mesh_of(const TriangleDesc& t) {
+  Mesh mesh;
+  mesh.positions.assign(t.vertices.begin(), t.vertices.end());
+  mesh.triangles.push_back({{0, 1, 2}, {-1, -1, -1}, {-1, -1, -1}, -1});
+  return mesh;
+}
+
+// Loads a mesh and puts it into the world.
+Mesh mesh_load(const MeshDesc& desc, std::vector<std::string>& notes) {
+  Mesh mesh = mesh_read_obj(desc.file);
+  notes.insert(notes.end(), mesh.notes.begin(), mesh.notes.end());
+  if (desc.shading == MeshShading::PHONG) mesh_complete_normals(mesh);
+  const dmat4 m = transform_matrix(desc.transform);
+  const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(m)));
+  for (dvec3& p : mesh.positions) p = transform_point(m, p);
+  for (dvec3& n : mesh.normals) n = glm::length(n) > 0 ? glm::normalize(normal_matrix * n) : n;
+  return mesh;
+}
+
+bool smooth(const ShapeDesc& shape) {
+  const auto* mesh = std::get_if<MeshDesc>(&shape.geometry);
+  return mesh && mesh->shading == MeshShading::PHONG;
+}
+
+Triangle triangle_flatten(const Mesh& mesh, const MeshTriangle& t, bool phong, int material, const dvec3& origin) {
+  Triangle out{};
+  out.material = material;
+  out.shading = phong ? TRIANGLE_PHONG : TRIANGLE_FLAT;
+  for (int k = 0; k < 3; ++k) {
+    out.p[k] = packed(mesh.positions[t.position[k]] - origin);
+    if (phong) out.n[k] = packed(mesh.normals[t.normal[k]]);
+    if (t.uv[k] < 0) continue;
+    out.uv[2 * k] = static_cast<float>(mesh.uvs[t.uv[k]].x);
+    out.uv[2 * k + 1] = static_cast<float>(mesh.uvs[t.uv[k]].y);
+  }
+  return out;
+}
+
+// In float a far or tiny triangle may lose its area; it can then not be hit and has no normal.
+bool has_area(const Triangle& t) {
+  const auto vec = [](const Packed3& p) { return dvec3(p.x, p.y, p.z); };
+  return glm::length(glm::cross(vec(t.p[1]) - vec(t.p[0]), vec(t.p[2]) - vec(t.p[0]))) > 0;
+}
+
+}  // namespace
+
+LoadedShapes load_shapes(const SceneDesc& desc, std::vector<std::string>& notes) {
+  LoadedShapes shapes;
+  for (const ShapeDesc& shape : desc.shapes) {
+    std::visit(AddBounds{shapes.bounds}, shape.geometry);
+    if (const auto* triangle = std::get_if<TriangleDesc>(&shape.geometry)) {
+      shapes.meshes.push_back({&shape, mesh_of(*triangle)});
+    } else if (const auto* mesh = std::get_if<MeshDesc>(&shape.geometry)) {
+      shapes.meshes.push_back({&shape, mesh_load(*mesh, notes)});
+      for (const dvec3& p : shapes.meshes.back().mesh.positions) shapes.bounds.add(p);
+    } else {
+      shapes.analytic.push_back(&shape);
+    }
+  }
+  return shapes;
+}
+
+void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene) {
+  for (const ShapeDesc* desc : shapes.analytic) {
+    Shape shape{};
+    std::visit(PackShape{scene.origin, shape}, desc->geometry);
+    shape.material = desc->material >= 0 ? desc->material : shapes.default_material;
+    scene.shapes.push_back(shape);
+  }
+  std::size_t dropped = 0;
+  for (std::size_t i = 0; i < shapes.meshes.size(); ++i) {
+    const auto& [desc, mesh] = shapes.meshes[i];
+    for (const MeshTriangle& t : mesh.triangles) {
+      const int own = t.material >= 0 ? shapes.first_material[i] + t.material : shapes.default_material;
+      const Triangle flat = triangle_flatten(mesh, t, smooth(*desc), desc->material >= 0 ? desc->material : own, scene.origin);
+      if (has_area(flat)) {
+        scene.triangles.push_back(flat);
+      } else {
+        ++dropped;
+      }
+    }
+  }
+  if (dropped > 0) scene.notes.push_back(std::to_string(dropped) + " triangles have no area in single precision and are left out");
+  FlatBvh bvh = bvh_build(scene.triangles, scene.bvh_width);
+  scene.bvh_nodes = std::move(bvh.nodes);
+  scene.bvh_links = std::move(bvh.links);
+  scene.bvh_blocks = std::move(bvh.blocks);
+  scene.bvh_ids = std::move(bvh.ids);
+  scene.frame.shape_count = static_cast<int>(scene.shapes.size());
+  scene.frame.triangle_count = static_cast<int>(scene.triangles.size());
+}
+
+}  // namespace brume

@@ -1,0 +1,64 @@
+// The rows of the format table and the two ways of looking one up.
+#include "image/image_format.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+#include "base/error.hpp"
+
+namespace brume {
+
+using namespace std::string_view_literals;
+
+const std::vector<ImageFormat>& image_formats() {
+  static const std::vector<ImageFormat> formats = {
+      {"exr", "openexr", {".exr"}, {"\x76\x2f\x31\x01"sv}, ImageOutput::LINEAR},
+      {"png", "png", {".png"}, {"\x89PNG\r\n\x1a\n"sv}, ImageOutput::DISPLAY},
+      {"jpg", "jpeg", {".jpg", ".jpeg"}, {"\xff\xd8\xff"sv}, ImageOutput::DISPLAY},
+      {"hdr", "hdr", {".hdr"}, {"#?RADIANCE"sv, "#?RGBE"sv}, ImageOutput::NONE},
+      {"tif", "tiff", {".tif", ".tiff"}, {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv}, ImageOutput::NONE},
+  };
+  return formats;
+}
+
+std::string image_output_extensions() {
+  std::string list;
+  for (const ImageFormat& format : image_formats())
+    if (format.output != ImageOutput::NONE)
+      for (std::string_view extension : format.extensions) list += (list.empty() ? "" : ", ") + std::string(extension);
+  return list;
+}
+
+const ImageFormat& image_format_of_output(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const ImageFormat& format : image_formats()) {
+    const auto& known = format.extensions;
+    if (format.output != ImageOutput::NONE && std::find(known.begin(), known.end(), extension) != known.end())
+      return format;
+  }
+  throw InputError(file.string() + ": cannot write images of type '" + extension +
+                   "'; known: " + image_output_extensions());
+}
+
+const ImageFormat& image_format_of_content(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) throw InputError(file.string() + ": is a folder, not an image");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(file.string() + ": cannot be opened: " + std::strerror(errno));
+  std::string head(16, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(in.gcount()));
+  std::string names;
+  for (const ImageFormat& format : image_formats()) {
+    for (std::string_view magic : format.magics)
+      if (std::string_view(head).substr(0, magic.size()) == magic) return format;
+    names += (names.empty() ? "" : ", ") + std::string(format.name);
+  }
+  throw InputError(file.string() + ": is not an image of a known format (by its content); known: " + names);
+}
+
+}  // namespace brume

@@ -1,0 +1,53 @@
+// brume: scene file → picture. Parses the command line, runs one command, turns failures into one line and an exit code:
+// 0 done, 1 device, memory or I/O failure, 2 bad input or usage, 130 interrupted.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <new>
+
+#include "base/error.hpp"
+#include "base/interrupt.hpp"
+#include "cli/command.hpp"
+#include "version.hpp"
+
+namespace {
+
+int fail(const char* message, int code) {
+  std::fprintf(stderr, "brume: %s\n", message);
+  return code;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Renders smoke, fog, clouds and the surfaces around them on any OpenCL device."};
+  app.set_version_flag("--version", std::string("brume ") + brume::VERSION);
+  app.require_subcommand(1);
+  brume::Command command;
+  brume::command_render(app, command);
+  brume::command_check(app, command);
+  brume::command_devices(app, command);
+  brume::command_info(app, command);
+  brume::command_compare(app, command);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
+    return fail((std::string(error.what()) + " (see brume --help)").c_str(), 2);
+  }
+  return command();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  brume::interrupt_install();
+  try {
+    return run(argc, argv);
+  } catch (const brume::InputError& error) {
+    return fail(error.what(), 2);
+  } catch (const brume::Interrupted& error) {
+    return fail(error.what(), 130);
+  } catch (const std::bad_alloc&) {
+    return fail("out of memory", 1);
+  } catch (const std::exception& error) {
+    return fail(error.what(), 1);
+  }
+}

@@ -1,0 +1,186 @@
+// The hits of all shapes. Each *_hit returns the smallest t > 0, or infinity. See kernels/shared/shape.h for the data
+// of a shape.
+#include "reference/intersect.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+namespace brume::reference {
+namespace {
+
+double smaller_positive(double a, double b) {
+  if (!(a > 0)) a = INFINITE;
+  if (!(b > 0)) b = INFINITE;
+  return std::min(a, b);
+}
+
+double sphere_hit(const float* data, const RayD& ray) {
+  const dvec3 from_center = ray.origin - vec_promote(data);
+  const double radius = data[3];
+  const double b = glm::dot(from_center, ray.dir);
+  // squared distance of the line from the center without the cancellation of b² - c
+  const dvec3 closest = from_center - b * ray.dir;
+  const double discriminant = radius * radius - glm::dot(closest, closest);
+  if (discriminant < 0) return INFINITE;
+  const double root = std::sqrt(discriminant);
+  return smaller_positive(-b - root, -b + root);
+}
+
+double cylinder_hit(const float* data, const RayD& ray) {
+  const dvec3 from_base = ray.origin - vec_promote(data), axis = vec_unit(vec_promote(data + 3));
+  const double height = data[6], radius = data[7];
+  const double z = glm::dot(from_base, axis), dz = glm::dot(ray.dir, axis);
+  const dvec3 across = from_base - z * axis, dir_across = ray.dir - dz * axis;
+  const double a = glm::dot(dir_across, dir_across);
+
+  double t = INFINITE;
+  if (a > 0) {  // the side
+    const double middle = -glm::dot(across, dir_across) / a;
+    const dvec3 closest = across + middle * dir_across;
+    const double discriminant = (radius * radius - glm::dot(closest, closest)) / a;
+    if (discriminant >= 0) {
+      const double root = std::sqrt(discriminant);
+      for (const double side : {middle - root, middle + root})
+        if (z + side * dz >= 0 && z + side * dz <= height) t = smaller_positive(t, side);
+    }
+  }
+  if (dz != 0)
+    for (const double cap_z : {0.0, height}) {
+      const double cap = (cap_z - z) / dz;
+      const dvec3 p = across + cap * dir_across;
+      if (glm::dot(p, p) <= radius * radius) t = smaller_positive(t, cap);
+    }
+  return t;
+}
+
+double plane_hit(const float* data, const RayD& ray) {
+  const dvec3 normal = vec_unit(vec_promote(data + 3));
+  const double slope = glm::dot(ray.dir, normal);
+  if (slope == 0) return INFINITE;
+  return smaller_positive(glm::dot(vec_promote(data) - ray.origin, normal) / slope, INFINITE);
+}
+
+double quad_hit(const float* data, const RayD& ray) {
+  const dvec3 corner = vec_promote(data), u = vec_promote(data + 3), v = vec_promote(data + 6);
+  const dvec3 normal = glm::cross(u, v);
+  const double slope = glm::dot(ray.dir, normal);
+  if (slope == 0) return INFINITE;
+  const double t = glm::dot(corner - ray.origin, normal) / slope;
+  const dvec3 p = ray.at(t) - corner;
+  const double area = glm::dot(normal, normal);
+  const double s = glm::dot(glm::cross(p, v), normal) / area, r = glm::dot(glm::cross(u, p), normal) / area;
+  const bool inside = s >= 0 && s <= 1 && r >= 0 && r <= 1;
+  return inside ? smaller_positive(t, INFINITE) : INFINITE;
+}
+
+// [t0, t1] within the box lo..hi; t0 > t1 for a miss. A ray along a face lies in the box.
+struct Span {
+  double t0, t1;
+};
+Span box_span(const dvec3& lo, const dvec3& hi, const dvec3& origin, const dvec3& dir) {
+  Span span{-INFINITE, INFINITE};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (dir[axis] == 0) {
+      if (origin[axis] < lo[axis] || origin[axis] > hi[axis]) return {INFINITE, -INFINITE};
+      continue;
+    }
+    const double a = (lo[axis] - origin[axis]) / dir[axis], b = (hi[axis] - origin[axis]) / dir[axis];
+    span = {std::max(span.t0, std::min(a, b)), std::min(span.t1, std::max(a, b))};
+  }
+  return span;
+}
+
+double box_hit(const float* data, const RayD& ray) {
+  Affine unit_from_world;
+  std::copy(data, data + 12, unit_from_world.m);
+  const Span span = box_span(dvec3(0), dvec3(1), affine_point(unit_from_world, ray.origin),
+                             affine_direction(unit_from_world, ray.dir));
+  return span.t0 <= span.t1 ? smaller_positive(span.t0, span.t1) : INFINITE;
+}
+
+using ShapeHit = double (*)(const float* data, const RayD& ray);
+constexpr ShapeHit SHAPE_HITS[] = {sphere_hit, cylinder_hit, plane_hit, quad_hit, box_hit};
+static_assert(std::size(SHAPE_HITS) == SHAPE_COUNT, "one row per ShapeType, in its order");
+
+// [MoellerTrumbore97]; edges belong to both neighbours.
+HitD triangle_hit(const Triangle& triangle, const RayD& ray) {
+  const dvec3 p0 = vec_promote(triangle.p[0]);
+  const dvec3 e1 = vec_promote(triangle.p[1]) - p0, e2 = vec_promote(triangle.p[2]) - p0;
+  const dvec3 across = glm::cross(ray.dir, e2);
+  const double determinant = glm::dot(e1, across);
+  if (determinant == 0) return {};
+  const dvec3 from_p0 = ray.origin - p0;
+  const double u = glm::dot(from_p0, across) / determinant;
+  if (u < 0 || u > 1) return {};
+  const dvec3 turned = glm::cross(from_p0, e1);
+  const double v = glm::dot(ray.dir, turned) / determinant;
+  if (v < 0 || u + v > 1) return {};
+  const double t = glm::dot(e2, turned) / determinant;
+  return t > 0 ? HitD{t, PRIMITIVE_NONE, u, v} : HitD{};
+}
+
+void triangles_hit(const FlatScene& scene, std::size_t begin, std::size_t end, const RayD& ray, HitD& nearest) {
+  for (std::size_t i = begin; i < end; ++i) {
+    HitD hit = triangle_hit(scene.triangles[i], ray);
+    if (!(hit.t < nearest.t)) continue;
+    hit.primitive = FIRST_TRIANGLE + static_cast<int>(i);
+    nearest = hit;
+  }
+}
+
+HitD shapes_hit(const FlatScene& scene, const RayD& ray, double t_max) {
+  HitD nearest{t_max};
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+    const double t = SHAPE_HITS[scene.shapes[i].type](scene.shapes[i].data, ray);
+    if (t < nearest.t) nearest = {t, static_cast<int>(i)};
+  }
+  return nearest;
+}
+
+HitD hit_or_miss(const HitD& nearest) { return nearest.primitive == PRIMITIVE_NONE ? HitD{} : nearest; }
+
+}  // namespace
+
+TriangleBounds::TriangleBounds(const FlatScene& scene) {
+  constexpr std::size_t run_length = 32;
+  for (std::size_t begin = 0; begin < scene.triangles.size(); begin += run_length) {
+    Run run{dvec3(INFINITE), dvec3(-INFINITE), begin, std::min(begin + run_length, scene.triangles.size())};
+    for (std::size_t i = run.begin; i < run.end; ++i)
+      for (const Packed3& p : scene.triangles[i].p) {
+        run.lo = glm::min(run.lo, vec_promote(p));
+        run.hi = glm::max(run.hi, vec_promote(p));
+      }
+    // a hair wider than any rounding of the tests
+    const dvec3 margin = 1e-9 * glm::max(glm::abs(run.lo), glm::abs(run.hi)) + 1e-9 * (run.hi - run.lo);
+    run.lo -= margin;
+    run.hi += margin;
+    runs.push_back(run);
+  }
+}
+
+HitD nearest_hit(const FlatScene& scene, const TriangleBounds& bounds, const RayD& ray, double t_max) {
+  HitD nearest = shapes_hit(scene, ray, t_max);
+  for (const TriangleBounds::Run& run : bounds.runs) {
+    const Span span = box_span(run.lo, run.hi, ray.origin, ray.dir);
+    if (span.t0 <= span.t1 && span.t1 > 0 && span.t0 <= nearest.t)
+      triangles_hit(scene, run.begin, run.end, ray, nearest);
+  }
+  return hit_or_miss(nearest);
+}
+
+HitD nearest_hit(const FlatScene& scene, const RayD& ray, double t_max) {
+  HitD nearest = shapes_hit(scene, ray, t_max);
+  triangles_hit(scene, 0, scene.triangles.size(), ray, nearest);
+  return hit_or_miss(nearest);
+}
+
+bool occluded(const FlatScene& scene, const TriangleBounds& bounds, const RayD& ray, double t_max) {
+  return nearest_hit(scene, bounds, ray, t_max).primitive != PRIMITIVE_NONE;
+}
+
+bool occluded(const FlatScene& scene, const RayD& ray, double t_max) {
+  return nearest_hit(scene, ray, t_max).primitive != PRIMITIVE_NONE;
+}
+
+}  // namespace brume::reference

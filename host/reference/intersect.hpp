@@ -1,0 +1,35 @@
+// Rays against surfaces, by brute force: every analytic shape, then every triangle. The BVH of the flat scene is not
+// read.
+#pragma once
+#include <vector>
+
+#include "flat/flat_scene.hpp"
+#include "reference/vec.hpp"
+
+namespace brume::reference {
+
+struct HitD {
+  double t = INFINITE;
+  int primitive = PRIMITIVE_NONE;  // as in shared/ray.h
+  double u = 0, v = 0;             // barycentric, triangles only
+};
+
+// Boxes around runs of consecutive triangles, so that most of a mesh is skipped; they never change a result.
+struct TriangleBounds {
+  struct Run {
+    dvec3 lo, hi;
+    std::size_t begin, end;
+  };
+  explicit TriangleBounds(const FlatScene& scene);
+  std::vector<Run> runs;
+};
+
+// The nearest surface with 0 < t < t_max; of equals the first in the scene.
+HitD nearest_hit(const FlatScene& scene, const TriangleBounds& bounds, const RayD& ray, double t_max = INFINITE);
+HitD nearest_hit(const FlatScene& scene, const RayD& ray, double t_max = INFINITE);
+
+// Whether any surface has 0 < t < t_max.
+bool occluded(const FlatScene& scene, const TriangleBounds& bounds, const RayD& ray, double t_max);
+bool occluded(const FlatScene& scene, const RayD& ray, double t_max);
+
+}  // namespace brume::reference

@@ -1,0 +1,18 @@
+// What a light would send to a point if nothing stood in between.
+#pragma once
+#include "reference/vec.hpp"
+#include "shared/light.h"
+
+namespace brume::reference {
+
+struct LightSample {
+  dvec3 travel{0};      // unit direction in which the light travels at the point
+  dvec3 irradiance{0};  // E at normal incidence
+  double distance = 0;  // to the light; infinite for a directional one
+  bool shines() const { return irradiance.x > 0 || irradiance.y > 0 || irradiance.z > 0; }
+};
+
+// At the very position of a point or spot light there is no direction: E is 0 there.
+LightSample light_at(const Light& light, const dvec3& point);
+
+}  // namespace brume::reference

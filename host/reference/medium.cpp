@@ -1,0 +1,194 @@
+// Segments by collecting and sorting every crossing of a cell border, and density lookups in bricks. [design §4, §5]
+#include "reference/medium.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "shared/method.h"
+
+namespace brume::reference {
+namespace {
+
+const Medium& medium_of(const FlatScene& scene, int index) { return scene.media[static_cast<std::size_t>(index)]; }
+
+Interval box_interval(const dvec3& lo, const dvec3& hi, const RayD& ray, Interval span) {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (ray.dir[axis] == 0) {
+      if (ray.origin[axis] < lo[axis] || ray.origin[axis] > hi[axis]) return {0, 0};
+      continue;
+    }
+    const double a = (lo[axis] - ray.origin[axis]) / ray.dir[axis], b = (hi[axis] - ray.origin[axis]) / ray.dir[axis];
+    span = {std::max(span.t0, std::min(a, b)), std::min(span.t1, std::max(a, b))};
+  }
+  return span;
+}
+
+Interval ellipsoid_interval(const dvec3& lo, const dvec3& hi, const RayD& ray, Interval span) {
+  // in the space where the ellipsoid is the unit sphere
+  const dvec3 half = 0.5 * (hi - lo);
+  const dvec3 origin = (ray.origin - 0.5 * (lo + hi)) / half, dir = ray.dir / half;
+  const double a = glm::dot(dir, dir), middle = -glm::dot(origin, dir) / a;
+  const dvec3 closest = origin + middle * dir;
+  const double square = (1 - glm::dot(closest, closest)) / a;
+  if (square <= 0) return {0, 0};
+  const double reach = std::sqrt(square);
+  return {std::max(span.t0, middle - reach), std::min(span.t1, middle + reach)};
+}
+
+// Samples of one cell's brick, or nullptr where the brick is empty.
+const float* brick_of(const FlatScene& scene, const Medium& medium, const ivec3& cell) {
+  const ivec3 brick = cell / BRICK_CELLS;
+  const int index = (brick.z * medium.brick_ny + brick.y) * medium.brick_nx + brick.x;
+  const int entry = scene.bricks[static_cast<std::size_t>(medium.brick_offset + index)];
+  return entry == BRICK_EMPTY ? nullptr : &scene.voxels[static_cast<std::size_t>(entry) * BRICK_VALUES];
+}
+
+// The borders of cells crossed within (t0, t1), with t0 and t1 themselves, ascending.
+std::vector<double> cell_crossings(const RayD& ray, double t0, double t1) {
+  std::vector<double> crossings;
+  crossings.reserve(128);
+  crossings.push_back(t0);
+  const dvec3 begin = ray.at(t0), end = ray.at(t1);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (ray.dir[axis] == 0) continue;
+    const double first = std::floor(std::min(begin[axis], end[axis])),
+                 last = std::ceil(std::max(begin[axis], end[axis]));
+    for (double plane = first; plane <= last; ++plane) {
+      const double t = (plane - ray.origin[axis]) / ray.dir[axis];
+      if (t > t0 && t < t1) crossings.push_back(t);
+    }
+  }
+  crossings.push_back(t1);
+  std::sort(crossings.begin(), crossings.end());
+  crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+  return crossings;
+}
+
+// ∫ρ over a segment within one cell.
+double dda_rule(const FlatScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment, int method) {
+  const double length = segment.t_end - segment.t_begin, middle = segment.middle();
+  const auto density = [&](double t) { return density_in_cell(scene, medium, segment.cell, ray.at(t)); };
+  if (method == METHOD_DDA_GAUSS2) {
+    const double apart = length / (2 * std::sqrt(3.0));
+    return length / 2 * (density(middle - apart) + density(middle + apart));
+  }
+  if (method == METHOD_DDA_MIDPOINT || medium.is_constant) return length * density(middle);
+  // dda_nearest: the cell's own sample, whatever the interpolation
+  return length * density_in_cell(scene, medium, segment.cell, dvec3(segment.cell));
+}
+
+template <class Visit>
+void dda_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, const Interval& span, int method,
+               Visit visit) {
+  const std::vector<double> crossings = cell_crossings(ray, span.t0, span.t1);
+  for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+    SegmentD segment{crossings[i], crossings[i + 1], ivec3(0), 0};
+    segment.cell = cell_at(medium, ray.at(segment.middle()));
+    segment.density_length = dda_rule(scene, medium, ray, segment, method);
+    visit(segment);
+  }
+}
+
+template <class Visit>
+void march_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, const Interval& span, Visit visit) {
+  const double length = span.t1 - span.t0;
+  const double count = std::max(1.0, std::ceil(length / medium.step - 1.0 / 1024));
+  const auto border = [&](double i) { return i == count ? span.t1 : span.t0 + length * (i / count); };
+  for (double i = 0; i < count; ++i) {
+    SegmentD segment{border(i), border(i + 1), ivec3(0), 0};
+    const dvec3 p = ray.at(segment.middle());
+    segment.cell = cell_at(medium, p);
+    segment.density_length = density_at(scene, medium, p) * (length / count);
+    visit(segment);
+  }
+}
+
+// Calls visit(segment) from front to back.
+template <class Visit>
+void segments_visit(const FlatScene& scene, const Medium& medium, const RayD& world, const Interval& span, int method,
+                    Visit visit) {
+  if (span.empty()) return;
+  const RayD ray = ray_to_cells(medium, world);
+  if (method == METHOD_MARCH_MIDPOINT || method == METHOD_HOMOGENEOUS)
+    march_visit(scene, medium, ray, span, visit);
+  else
+    dda_visit(scene, medium, ray, span, method, visit);
+}
+
+}  // namespace
+
+RayD ray_to_cells(const Medium& medium, const RayD& world) {
+  return {affine_point(medium.cell_from_world, world.origin), affine_direction(medium.cell_from_world, world.dir)};
+}
+
+Interval medium_interval(const Medium& medium, const RayD& world, double t_min, double t_max) {
+  const dvec3 lo = vec_promote(medium.lo), hi = vec_promote(medium.hi);
+  const RayD ray = ray_to_cells(medium, world);
+  return medium.region == REGION_SPHERE ? ellipsoid_interval(lo, hi, ray, {t_min, t_max})
+                                        : box_interval(lo, hi, ray, {t_min, t_max});
+}
+
+ivec3 cell_at(const Medium& medium, const dvec3& p) {
+  const dvec3 first = glm::max(dvec3(0), glm::floor(vec_promote(medium.lo)));
+  const dvec3 cells(medium.cells_x, medium.cells_y, medium.cells_z);
+  const dvec3 last = glm::max(first, glm::min(cells, glm::ceil(vec_promote(medium.hi))) - 1.0);
+  return ivec3(glm::clamp(glm::floor(p), first, last));
+}
+
+double density_in_cell(const FlatScene& scene, const Medium& medium, const ivec3& cell, const dvec3& p) {
+  if (medium.is_constant) return medium.constant_density;
+  const float* samples = brick_of(scene, medium, cell);
+  if (!samples) return 0;
+  const ivec3 i = cell % BRICK_CELLS;
+  const float* corner = samples + (i.z * BRICK_SAMPLES + i.y) * BRICK_SAMPLES + i.x;
+  if (medium.interpolation == INTERPOLATION_NEAREST) return corner[0];
+
+  const dvec3 w = p - dvec3(cell);
+  const auto along_x = [&](int dy, int dz) {
+    const float* s = corner + (dz * BRICK_SAMPLES + dy) * BRICK_SAMPLES;
+    return s[0] * (1 - w.x) + s[1] * w.x;
+  };
+  const double front = along_x(0, 0) * (1 - w.y) + along_x(1, 0) * w.y;
+  const double back = along_x(0, 1) * (1 - w.y) + along_x(1, 1) * w.y;
+  return front * (1 - w.z) + back * w.z;
+}
+
+double density_at(const FlatScene& scene, const Medium& medium, const dvec3& p) {
+  const dvec3 inside = glm::clamp(p, vec_promote(medium.lo), vec_promote(medium.hi));
+  return density_in_cell(scene, medium, cell_at(medium, inside), inside);
+}
+
+std::vector<SegmentD> segments(const FlatScene& scene, int medium, const RayD& ray, double t0, double t1, int method) {
+  std::vector<SegmentD> found;
+  const Medium& m = medium_of(scene, medium);
+  segments_visit(scene, m, ray, medium_interval(m, ray, t0, t1), method,
+                 [&](const SegmentD& s) { found.push_back(s); });
+  return found;
+}
+
+double optical_depth(const FlatScene& scene, int medium, const RayD& ray, double t_max, int method, double* lookups) {
+  const Medium& m = medium_of(scene, medium);
+  const Interval span = medium_interval(m, ray, 0, t_max);
+  if (span.empty()) return 0;
+  if (method == METHOD_HOMOGENEOUS) return m.constant_density * (span.t1 - span.t0);
+  double depth = 0, count = 0;
+  segments_visit(scene, m, ray, span, method, [&](const SegmentD& s) {
+    depth += s.density_length;
+    ++count;
+  });
+  if (lookups) *lookups += count * segment_lookups(m, method);
+  return depth;
+}
+
+int segment_lookups(const Medium& medium, int method) {
+  if (medium.is_constant) return 0;
+  return method == METHOD_DDA_GAUSS2 ? 2 : 1;
+}
+
+int method_exact(const Medium& medium) {
+  if (medium.is_constant) return METHOD_HOMOGENEOUS;
+  return medium.interpolation == INTERPOLATION_NEAREST ? METHOD_DDA_NEAREST : METHOD_DDA_GAUSS2;
+}
+
+}  // namespace brume::reference

@@ -1,0 +1,51 @@
+// Media along a ray: where a medium begins and ends, into which segments a method cuts that, and ∫ρ dt over each.
+// Knows densities only: coefficients, phase functions and lights are the business of scatter.hpp.
+#pragma once
+#include <vector>
+
+#include "flat/flat_scene.hpp"
+#include "reference/vec.hpp"
+
+namespace brume::reference {
+
+// A ray in a medium's cell space; t stays the world distance, so dir is not unit.
+RayD ray_to_cells(const Medium& medium, const RayD& world);
+
+// [t0, t1] of the medium's region along the ray, cut to [t_min, t_max]; empty when t0 >= t1. Rays along a face count as
+// inside.
+struct Interval {
+  double t0, t1;
+  bool empty() const { return !(t0 < t1); }
+};
+Interval medium_interval(const Medium& medium, const RayD& world, double t_min, double t_max);
+
+// The cell of a position by the half-open rule; beyond the region's border the outermost cell.
+ivec3 cell_at(const Medium& medium, const dvec3& cell_position);
+
+// Density by the medium's own interpolation; the second form blends the samples of a cell that is already known.
+double density_at(const FlatScene& scene, const Medium& medium, const dvec3& cell_position);
+double density_in_cell(const FlatScene& scene, const Medium& medium, const ivec3& cell, const dvec3& cell_position);
+
+struct SegmentD {
+  double t_begin, t_end;
+  ivec3 cell;             // the cell of the middle
+  double density_length;  // ∫ρ dt
+  double middle() const { return 0.5 * (t_begin + t_end); }
+};
+
+// The segments of one medium (an index into FlatScene::media) within [t0, t1], in order and without gaps; none has
+// length 0.
+std::vector<SegmentD> segments(const FlatScene& scene, int medium, const RayD& ray, double t0, double t1, int method);
+
+// ∫ρ dt over [0, t_max] by the method, without coefficients. Adds to *lookups, if given, the evaluations of the
+// density.
+double optical_depth(const FlatScene& scene, int medium, const RayD& ray, double t_max, int method,
+                     double* lookups = nullptr);
+
+// Evaluations of the density that one segment of the method costs: 0 in a constant medium.
+int segment_lookups(const Medium& medium, int method);
+
+// The method whose ∫ρ dt is exact for the medium.
+int method_exact(const Medium& medium);
+
+}  // namespace brume::reference

@@ -1,0 +1,27 @@
+// The scalar double-precision renderer that the kernels are compared with: plain, one sample after another, written
+// from ARCHITECTURE.md alone. No speed to speak of; no BVH, no early stop, no float arithmetic.
+#pragma once
+#include "film/film.hpp"
+#include "flat/flat_scene.hpp"
+#include "reference/scatter.hpp"
+
+namespace brume::reference {
+
+// The sums of FilmPixel before they become float.
+struct PixelD {
+  dvec3 radiance{0}, normal{0}, transmittance{0};
+  double samples = 0, depth = 0, hits = 0, lookups = 0;
+  uint key = 0;
+};
+
+// One sample of one ray; `samples` is 1.
+PixelD ray_render(const Context& context, const RayD& ray);
+
+// All samples of pixel (x, y), y = 0 at the top.
+PixelD pixel_render(const Context& context, int x, int y);
+
+// Renders the crop of scene.frame and overwrites those pixels; FilmPixel::shadow_rays, a statistic of devices, stays 0.
+// The film must have the size of the camera, else RuntimeError.
+void render(const FlatScene& scene, Film& film, const Options& options = {});
+
+}  // namespace brume::reference

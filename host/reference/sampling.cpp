@@ -1,0 +1,52 @@
+// Random numbers, strata and camera rays: see the header and ARCHITECTURE.md.
+#include "reference/sampling.hpp"
+
+#include <array>
+#include <cmath>
+
+namespace brume::reference {
+namespace {
+
+void pcg4d_mix(std::array<uint, 4>& v) {
+  v[0] += v[1] * v[3];
+  v[1] += v[2] * v[0];
+  v[2] += v[0] * v[1];
+  v[3] += v[1] * v[2];
+}
+
+// First sample of column j when `spp` samples share `columns` columns.
+int column_first(int j, int spp, int columns) {
+  return static_cast<int>((std::int64_t(j) * spp + columns - 1) / columns);
+}
+
+}  // namespace
+
+double rng_uniform(uint pixel, uint sample, uint dimension, uint seed) {
+  std::array<uint, 4> v{pixel, sample, dimension, seed};
+  for (uint& x : v) x = x * 1664525u + 1013904223u;
+  pcg4d_mix(v);
+  for (uint& x : v) x ^= x >> 16;
+  pcg4d_mix(v);
+  return (v[0] >> 8) * 0x1p-24;
+}
+
+dvec2 pixel_position(int sample, int spp, double xi0, double xi1) {
+  if (spp <= 1) return {0.5, 0.5};
+  const int columns = static_cast<int>(std::sqrt(static_cast<double>(spp)));
+  const int column = static_cast<int>(std::int64_t(sample) * columns / spp);
+  const int first = column_first(column, spp, columns);
+  const int count = column_first(column + 1, spp, columns) - first;
+  return {(first + xi0 * count) / spp, (sample - first + xi1) / count};
+}
+
+RayD camera_ray(const Camera& camera, int x, int y, const dvec2& position) {
+  const double film_x = 2 * (x + position.x) / camera.width - 1;
+  const double film_y = 1 - 2 * (y + position.y) / camera.height;
+  const dvec3 eye = vec_promote(camera.eye);
+  const dvec3 forward = vec_unit(vec_promote(camera.forward));
+  const dvec3 offset = film_x * vec_promote(camera.right) + film_y * vec_promote(camera.up);
+  if (camera.type == CAMERA_ORTHOGRAPHIC) return {eye + offset, forward};
+  return {eye, vec_unit(forward + offset)};
+}
+
+}  // namespace brume::reference

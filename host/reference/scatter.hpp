@@ -1,0 +1,56 @@
+// Light on its way: how much of each light reaches a point through surfaces and media, and what the media along a view
+// ray scatter towards its origin (single scattering).
+#pragma once
+#include <vector>
+
+#include "reference/intersect.hpp"
+#include "reference/light.hpp"
+#include "reference/medium.hpp"
+#include "reference/quadrature.hpp"
+
+namespace brume::reference {
+
+struct Options {
+  // 0: the segment rule of ARCHITECTURE.md with the method of each medium. n > 0: the exact picture: n-point
+  // Gauss-Legendre of σs ρ(t) T(t) S(t) between all cell borders, with the exact method of every medium whatever it
+  // says.
+  int scatter_order = 0;
+  int threads = 0;  // 0: as many as the machine has
+};
+
+// What all samples share.
+struct Context {
+  Context(const FlatScene& flat, const Options& options)
+      : scene(flat), bounds(flat), nodes(gauss_legendre(options.scatter_order)) {}
+
+  const FlatScene& scene;
+  TriangleBounds bounds;
+  std::vector<QuadratureNode> nodes;  // empty for the segment rule
+  bool exact() const { return !nodes.empty(); }
+  int method(const Medium& medium) const { return exact() ? method_exact(medium) : medium.method; }
+};
+
+dvec3 sigma_t_of(const Medium& medium);
+dvec3 transmittance_of(const dvec3& tau);  // exp(-τ) per channel
+
+// τ per channel of all media over [0, t_max].
+dvec3 media_tau(const Context& context, const RayD& ray, double t_max, double& lookups);
+
+// One light at a point. `ray_origin` is the point itself, or the point lifted off the surface on which it lies.
+struct Arrival {
+  LightSample light;
+  bool blocked;      // by a surface
+  dvec3 irradiance;  // E·V·T_light
+};
+Arrival light_arrival(const Context& context, const Light& light, const dvec3& point, const dvec3& ray_origin,
+                      double& lookups);
+
+struct Scattered {
+  dvec3 radiance{0};    // as it arrives at the ray's origin
+  dvec3 tau{0};         // of all media up to t_max
+  uint shadow_key = 0;  // by the segment rule only; 0 in exact pictures, which have no such samples
+  double lookups = 0;
+};
+Scattered media_scatter(const Context& context, const RayD& ray, double t_max);
+
+}  // namespace brume::reference

@@ -1,0 +1,92 @@
+// ∫ σs ρ T S dt with several media at once: within an interval every density is one polynomial, so all that is left to
+// quadrature is the smooth product.
+#include "reference/scatter_exact.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/phase.hpp"
+
+namespace brume::reference {
+namespace {
+
+// The part of one medium that an interval lies in.
+struct Piece {
+  const Medium* medium;
+  RayD ray;  // in the medium's cell space
+  ivec3 cell;
+
+  double density(const FlatScene& scene, double t) const { return density_in_cell(scene, *medium, cell, ray.at(t)); }
+  // ∫ρ over [a, b]: 2-point Gauss is exact for the cubic of a trilinear cell
+  double density_length(const FlatScene& scene, double a, double b) const {
+    const double middle = 0.5 * (a + b), apart = (b - a) / (2 * std::sqrt(3.0));
+    return (b - a) / 2 * (density(scene, middle - apart) + density(scene, middle + apart));
+  }
+};
+
+std::vector<double> borders_of_all(const Context& context, const RayD& ray, double t_max) {
+  std::vector<double> borders;
+  for (int i = 0; i < static_cast<int>(context.scene.media.size()); ++i) {
+    const Medium& medium = context.scene.media[static_cast<std::size_t>(i)];
+    for (const SegmentD& segment : segments(context.scene, i, ray, 0, t_max, method_exact(medium))) {
+      borders.push_back(segment.t_begin);
+      borders.push_back(segment.t_end);
+    }
+  }
+  std::sort(borders.begin(), borders.end());
+  borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
+  return borders;
+}
+
+void pieces_at(const Context& context, const RayD& ray, double t_max, double middle, std::vector<Piece>& pieces) {
+  pieces.clear();
+  for (const Medium& medium : context.scene.media) {
+    const Interval span = medium_interval(medium, ray, 0, t_max);
+    if (!(middle > span.t0 && middle < span.t1)) continue;
+    const RayD in_cells = ray_to_cells(medium, ray);
+    pieces.push_back({&medium, in_cells, cell_at(medium, in_cells.at(middle))});
+  }
+}
+
+// Σ_media σs ρ S at one t.
+dvec3 source_of_all(const Context& context, const RayD& ray, const std::vector<Piece>& pieces, double t,
+                    Scattered& result) {
+  dvec3 source(0);
+  const dvec3 point = ray.at(t);
+  for (const Light& light : context.scene.lights) {
+    const Arrival arrival = light_arrival(context, light, point, point, result.lookups);
+    const double cosine = glm::dot(arrival.light.travel, -ray.dir);
+    for (const Piece& piece : pieces)
+      source += vec_promote(piece.medium->sigma_s) * arrival.irradiance *
+                (piece.density(context.scene, t) * phase_eval(piece.medium->phase, piece.medium->g, cosine));
+  }
+  return source;
+}
+
+dvec3 pieces_tau(const Context& context, const std::vector<Piece>& pieces, double a, double b) {
+  dvec3 tau(0);
+  for (const Piece& piece : pieces) tau += sigma_t_of(*piece.medium) * piece.density_length(context.scene, a, b);
+  return tau;
+}
+
+}  // namespace
+
+Scattered media_scatter_exact(const Context& context, const RayD& ray, double t_max) {
+  Scattered result;
+  const std::vector<double> borders = borders_of_all(context, ray, t_max);
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
+    const double a = borders[i], b = borders[i + 1];
+    pieces_at(context, ray, t_max, 0.5 * (a + b), pieces);
+    if (pieces.empty()) continue;
+    for (const QuadratureNode& node : context.nodes) {
+      const double t = a + (b - a) * node.x;
+      const dvec3 transmittance = transmittance_of(result.tau + pieces_tau(context, pieces, a, t));
+      result.radiance += (node.weight * (b - a)) * transmittance * source_of_all(context, ray, pieces, t, result);
+    }
+    result.tau += pieces_tau(context, pieces, a, b);
+  }
+  return result;
+}
+
+}  // namespace brume::reference

@@ -1,0 +1,35 @@
+// The surface at a hit: normals, texture coordinates, colours, and how it reflects one light.
+// Shadows and media are no business of this file.
+#pragma once
+#include "flat/flat_scene.hpp"
+#include "reference/intersect.hpp"
+
+namespace brume::reference {
+
+struct SurfaceD {
+  dvec3 point{0};
+  dvec3 geometric_normal{0};  // unit, faces the viewer
+  dvec3 normal{0};            // unit shading normal, flipped together with the geometric one
+  dvec3 diffuse{0};           // material diffuse times texture
+  dvec2 uv{0};
+  int material = 0;
+  int checker = 0;         // 1 in the second colour of a checker
+  double ray_epsilon = 0;  // offset along the geometric normal of rays that leave this point
+};
+
+// `hit` must be a hit of `ray`, not a miss.
+SurfaceD surface_at(const FlatScene& scene, const RayD& ray, const HitD& hit);
+
+// Origin of a ray that leaves the surface in direction `dir`.
+dvec3 surface_leave(const SurfaceD& surface, const dvec3& dir);
+
+// Linear RGB of texture `texture` (an index into FlatScene::textures).
+dvec3 texture_lookup(const FlatScene& scene, int texture, const dvec2& uv);
+// 1 where uv lies in the second colour of a checker; 0 elsewhere and for images.
+int texture_checker(const Texture& texture, const dvec2& uv);
+
+// Radiance towards -view_dir for irradiance E = 1 of light that travels along `travel`; 0 from behind the shading
+// normal.
+dvec3 surface_reflect(const FlatScene& scene, const SurfaceD& surface, const dvec3& view_dir, const dvec3& travel);
+
+}  // namespace brume::reference

@@ -1,0 +1,31 @@
+// See device_scene.hpp.
+#include "render/device_scene.hpp"
+
+namespace brume {
+
+DeviceScene::DeviceScene(Context& context, const FlatScene& s) {
+  buffers_ = {
+      context.buffer("frame", sizeof(Frame), &s.frame),
+      context.buffer("lights", s.lights),
+      context.buffer("materials", s.materials),
+      context.buffer("textures", s.textures),
+      context.buffer("texture pixels", s.texels),
+      context.buffer("shapes", s.shapes),
+      context.buffer("triangles", s.triangles),
+      context.buffer("BVH nodes", s.bvh_nodes),
+      context.buffer("BVH links", s.bvh_links),
+      context.buffer("BVH triangles", s.bvh_blocks),
+      context.buffer("BVH triangle numbers", s.bvh_ids),
+      context.buffer("media", s.media),
+      context.buffer("brick index", s.bricks),
+      context.buffer("voxels", s.voxels),
+  };
+}
+
+cl_uint DeviceScene::set_arguments(cl::Kernel& kernel) const {
+  cl_uint argument = 0;
+  for (const cl::Buffer& buffer : buffers_) kernel.setArg(argument++, buffer);
+  return argument;
+}
+
+}  // namespace brume

@@ -1,0 +1,43 @@
+// See kernel_options.hpp.
+#include "render/kernel_options.hpp"
+
+#include <algorithm>
+
+namespace brume {
+
+namespace {
+
+template <class Items, class Key>
+unsigned bits_used(const Items& items, Key key) {
+  unsigned bits = 0;
+  for (const auto& item : items) bits |= 1u << key(item);
+  return bits;
+}
+
+bool extinction_is_grey(const Medium& m) {
+  const float x = m.sigma_a.x + m.sigma_s.x, y = m.sigma_a.y + m.sigma_s.y, z = m.sigma_a.z + m.sigma_s.z;
+  return x == y && y == z;
+}
+
+std::string define(const char* name, unsigned value) { return std::string(" -DBRUME_") + name + "=" + std::to_string(value); }
+
+std::string scene_options(const FlatScene& s) {
+  const auto& media = s.media;
+  return define("MEDIA", static_cast<unsigned>(std::min<std::size_t>(media.size(), 2))) +
+         define("COLOR_TAU", !std::all_of(media.begin(), media.end(), extinction_is_grey)) +
+         define("METHODS_USED", bits_used(media, [](const Medium& m) { return m.method; })) +
+         define("SPHERE_REGION", (bits_used(media, [](const Medium& m) { return m.region; }) >> REGION_SPHERE) & 1u) +
+         define("PHASES_USED", bits_used(media, [](const Medium& m) { return m.phase; })) +
+         define("SHAPES_USED", bits_used(s.shapes, [](const Shape& shape) { return shape.type; })) +
+         define("TRIANGLES", !s.triangles.empty()) + define("TEXTURED", !s.textures.empty()) +
+         define("LIGHTS_USED", bits_used(s.lights, [](const Light& l) { return l.type; }));
+}
+
+}  // namespace
+
+std::string kernel_options(const FlatScene& scene, const DeviceInfo& device, int lanes, bool generic) {
+  return define("LANES", static_cast<unsigned>(lanes)) + define("BVH_WIDTH", static_cast<unsigned>(scene.bvh_width)) +
+         define("FAST_FMA", device.fast_fma) + (generic ? "" : scene_options(scene));
+}
+
+}  // namespace brume

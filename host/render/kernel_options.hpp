@@ -1,0 +1,13 @@
+// What a scene needs → -D options. The only place that writes them; their meaning is in kernels/lib/options.cl.
+#pragma once
+#include <string>
+
+#include "cl/device.hpp"
+#include "flat/flat_scene.hpp"
+
+namespace brume {
+
+// Options for kernels specialised to `scene`; `generic`: every feature on, as for any scene.
+std::string kernel_options(const FlatScene& scene, const DeviceInfo& device, int lanes, bool generic);
+
+}  // namespace brume

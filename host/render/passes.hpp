@@ -1,0 +1,51 @@
+// The kernels of a render and the buffers that they hand to each other, one entry per ray of a batch.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "base/stopwatch.hpp"
+#include "cl/context.hpp"
+#include "flat/flat_scene.hpp"
+#include "render/device_scene.hpp"
+#include "render/renderer.hpp"
+
+namespace brume {
+
+// A stretch of work: `pixels` pixels of the crop from first_pixel on, `samples` samples of each from first_sample on.
+struct Batch {
+  cl_uint first_pixel, pixels, first_sample, samples;
+  cl_uint rays() const { return pixels * samples; }
+};
+
+class Passes {
+ public:
+  Passes(Context& context, const FlatScene& scene, const std::string& options, std::size_t batch_rays, std::size_t film_pixels);
+
+  double build_seconds() const { return build_seconds_; }
+  double upload_seconds() const { return upload_seconds_; }
+
+  // Enqueues all passes over one batch and waits; adds times and items to `stats`.
+  void run(const Batch& batch, std::vector<PassStats>& stats);
+  void read_film(std::vector<FilmPixel>& pixels) const;
+
+ private:
+  enum Id { PRIMARY_RAYS, TRAVERSE_DDA, SHADOW_TRANSMITTANCE, SHADE, ACCUMULATE, PASS_COUNT };
+  bool runs(Id id) const { return id != SHADOW_TRANSMITTANCE || has_surfaces_; }
+  void create_kernels(const std::string& options);
+  void create_buffers(std::size_t batch_rays, std::size_t lights);
+  void bind(const Batch& batch);
+  cl::Event launch(Id id, std::size_t items);
+
+  Context& context_;
+  Stopwatch watch_;  // laps over construction
+  DeviceScene scene_;
+  double upload_seconds_ = 0, build_seconds_ = 0;
+  bool has_surfaces_;
+  std::size_t film_pixels_;
+  std::size_t group_;
+  std::array<cl::Kernel, PASS_COUNT> kernels_;
+  std::array<cl_uint, PASS_COUNT> first_argument_{};
+  cl::Buffer rays_, hits_, results_, arrivals_, samples_, film_;
+};
+
+}  // namespace brume

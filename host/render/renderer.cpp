@@ -1,0 +1,91 @@
+// See renderer.hpp.
+#include "render/renderer.hpp"
+
+#include <algorithm>
+
+#include "base/stopwatch.hpp"
+#include "render/kernel_options.hpp"
+#include "render/passes.hpp"
+
+namespace brume {
+
+namespace {
+
+// Small enough on a CPU that Ctrl-C answers soon, large enough on a GPU to fill it.
+constexpr int BATCH_CPU = 1 << 14, BATCH_GPU = 1 << 19;
+
+// Puts the rendered crop into its place in the film.
+void film_place(Film& film, const Frame& frame, const std::vector<FilmPixel>& crop) {
+  const auto width = static_cast<std::size_t>(frame.crop_x1 - frame.crop_x0);
+  for (std::size_t i = 0; i < crop.size(); ++i) {
+    const std::size_t x = frame.crop_x0 + i % width, y = frame.crop_y0 + i / width;
+    film.pixels()[y * film.size().x + x] = crop[i];
+  }
+}
+
+}  // namespace
+
+int lanes_choose(const DeviceInfo& device, int wanted) { return wanted > 0 ? wanted : device.lanes(); }
+int bvh_width_for(int lanes) { return std::max(lanes, 4); }
+
+struct Renderer::State {
+  Frame frame;
+  std::size_t crop_pixels, batch_rays;
+  std::unique_ptr<Passes> passes;
+  RenderStats stats;
+
+  double total_rays() const { return static_cast<double>(crop_pixels) * frame.camera.spp; }
+};
+
+Renderer::Renderer(Context& context, const FlatScene& scene, const RenderOptions& options) : state_(new State) {
+  State& s = *state_;
+  s.frame = scene.frame;
+  s.crop_pixels = static_cast<std::size_t>(s.frame.crop_x1 - s.frame.crop_x0) * (s.frame.crop_y1 - s.frame.crop_y0);
+  const std::size_t wanted = options.batch_rays > 0 ? options.batch_rays : (context.device().cpu ? BATCH_CPU : BATCH_GPU);
+  s.batch_rays = std::min(wanted, static_cast<std::size_t>(s.total_rays()));
+  s.stats.lanes = lanes_choose(context.device(), options.lanes);
+
+  const std::string kernel = kernel_options(scene, context.device(), s.stats.lanes, options.generic);
+  s.passes = std::make_unique<Passes>(context, scene, kernel, s.batch_rays, s.crop_pixels);
+  s.stats.kernel_build_s = s.passes->build_seconds();
+  s.stats.upload_s = s.passes->upload_seconds();
+  s.stats.device_bytes = context.allocated_bytes();
+  s.stats.voxel_bytes = scene.voxels.size() * sizeof(float);
+  s.stats.bvh_bytes = (scene.bvh_nodes.size() + scene.bvh_blocks.size()) * sizeof(float) +
+                      (scene.bvh_links.size() + scene.bvh_ids.size()) * sizeof(std::int32_t);
+}
+
+Renderer::~Renderer() = default;
+
+const RenderStats& Renderer::stats() const { return state_->stats; }
+
+bool Renderer::render(Film& film, const Progress& progress) {
+  State& s = *state_;
+  const Stopwatch watch;
+  const auto spp = static_cast<std::size_t>(s.frame.camera.spp);
+  const std::size_t samples = std::min(spp, s.batch_rays);
+  const std::size_t pixels = s.batch_rays / samples;
+  double done = 0;
+  bool go_on = true;
+  for (std::size_t pixel = 0; pixel < s.crop_pixels && go_on; pixel += pixels) {
+    for (std::size_t sample = 0; sample < spp && go_on; sample += samples) {
+      const Batch batch{static_cast<cl_uint>(pixel), static_cast<cl_uint>(std::min(pixels, s.crop_pixels - pixel)),
+                        static_cast<cl_uint>(sample), static_cast<cl_uint>(std::min(samples, spp - sample))};
+      s.passes->run(batch, s.stats.passes);
+      done += batch.rays();
+      go_on = progress(done / s.total_rays());
+    }
+  }
+  std::vector<FilmPixel> crop;
+  s.passes->read_film(crop);
+  film_place(film, s.frame, crop);
+  s.stats.render_s += watch.seconds();
+  s.stats.primary_rays = done;
+  for (const FilmPixel& p : crop) {
+    s.stats.lookups += p.lookups;
+    s.stats.shadow_rays += p.shadow_rays;
+  }
+  return done == s.total_rays();
+}
+
+}  // namespace brume

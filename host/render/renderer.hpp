@@ -1,0 +1,56 @@
+// FlatScene → Film on an OpenCL device: builds the kernels, uploads the scene, runs the passes batch by batch.
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cl/context.hpp"
+#include "film/film.hpp"
+#include "flat/flat_scene.hpp"
+
+namespace brume {
+
+struct RenderOptions {
+  int lanes = 0;         // 0: the device's own choice
+  bool generic = false;  // kernels with every feature, not only those of the scene
+  int batch_rays = 0;    // rays in flight; 0: by device
+};
+
+struct PassStats {
+  std::string name;
+  double seconds = 0;
+  double items = 0;
+};
+
+struct RenderStats {
+  int lanes = 0;
+  double kernel_build_s = 0, upload_s = 0, render_s = 0;
+  double primary_rays = 0, shadow_rays = 0, lookups = 0;
+  std::vector<PassStats> passes;
+  std::size_t device_bytes = 0, voxel_bytes = 0, bvh_bytes = 0;
+};
+
+// Share of the work done, in [0,1]. Returning false stops the render after the current batch.
+using Progress = std::function<bool(double)>;
+
+class Renderer {
+ public:
+  // Builds and uploads. `scene.bvh_width` must suit the lanes (a multiple of them).
+  Renderer(Context& context, const FlatScene& scene, const RenderOptions& options);
+  ~Renderer();
+
+  // Renders the crop of the frame. A film that was stopped early holds what was done; returns false then.
+  bool render(Film& film, const Progress& progress);
+  const RenderStats& stats() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+// The lanes that a device uses when none are asked for, and the BVH width that goes with lanes.
+int lanes_choose(const DeviceInfo& device, int wanted);
+int bvh_width_for(int lanes);
+
+}  // namespace brume

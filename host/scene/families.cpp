@@ -1,0 +1,72 @@
+// See families.hpp.
+#include "scene/families.hpp"
+
+#include "scene/scene_desc.hpp"
+#include "shared/shape.h"
+
+namespace brume {
+
+#define FAMILY(function, prefix, LIST) \
+  const Family& function() {           \
+    static const Family rows{LIST(ROW)}; \
+    return rows;                       \
+  }
+
+#define ROW(id, name, help) {CAMERA_##id, name, help},
+FAMILY(camera_family, CAMERA, BRUME_CAMERAS)
+#undef ROW
+#define ROW(id, name, help) {LIGHT_##id, name, help},
+FAMILY(light_family, LIGHT, BRUME_LIGHTS)
+#undef ROW
+#define ROW(id, name, help) {FALLOFF_##id, name, help},
+FAMILY(falloff_family, FALLOFF, BRUME_FALLOFFS)
+#undef ROW
+#define ROW(id, name, help) {MATERIAL_##id, name, help},
+FAMILY(material_family, MATERIAL, BRUME_MATERIALS)
+#undef ROW
+#define ROW(id, name, help) {TEXTURE_##id, name, help},
+FAMILY(texture_family, TEXTURE, BRUME_TEXTURES)
+#undef ROW
+#define ROW(id, name, help) {PHASE_##id, name, help},
+FAMILY(phase_family, PHASE, BRUME_PHASES)
+#undef ROW
+#define ROW(id, name, help) {INTERPOLATION_##id, name, help},
+FAMILY(interpolation_family, INTERPOLATION, BRUME_INTERPOLATIONS)
+#undef ROW
+#define ROW(id, name, fits, step, help) {METHOD_##id, name, help},
+FAMILY(method_family, METHOD, BRUME_METHODS)
+#undef ROW
+#undef FAMILY
+
+const Family& shape_family() {
+  static const Family rows{
+#define ROW(id, name, help) {SHAPE_##id, name, help},
+      BRUME_SHAPES(ROW)
+#undef ROW
+          {SHAPE_COUNT, "triangle", "three vertices"},
+      {SHAPE_COUNT + 1, "mesh", "an OBJ file"}};
+  return rows;
+}
+
+const Family& mesh_shading_family() {
+  static const Family rows{{static_cast<int>(MeshShading::FLAT), "flat", "one normal per triangle"},
+                           {static_cast<int>(MeshShading::PHONG), "phong", "normals blended over the triangle"}};
+  return rows;
+}
+
+namespace {
+struct MethodTraits {
+  int fits;
+  bool step;
+};
+constexpr MethodTraits METHOD_TRAITS[] = {
+#define ROW(id, name, fits, step, help) {fits, step != 0},
+    BRUME_METHODS(ROW)
+#undef ROW
+};
+}  // namespace
+
+int method_fits(int method) { return METHOD_TRAITS[method].fits; }
+bool method_has_step(int method) { return METHOD_TRAITS[method].step; }
+
+}  // namespace brume

@@ -1,0 +1,22 @@
+// The tables of scene/kernel families: names, ids and help, expanded from the lists in kernels/shared.
+#pragma once
+#include "base/family.hpp"
+
+namespace brume {
+
+const Family& camera_family();
+const Family& light_family();
+const Family& falloff_family();
+const Family& material_family();
+const Family& texture_family();
+const Family& phase_family();
+const Family& interpolation_family();
+const Family& method_family();       // without "auto"
+const Family& shape_family();        // analytic shapes, triangle and mesh
+const Family& mesh_shading_family();
+
+// FITS_x bits of a method (shared/method.h), and whether it reads render.step.
+int method_fits(int method);
+bool method_has_step(int method);
+
+}  // namespace brume

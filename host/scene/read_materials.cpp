@@ -1,0 +1,57 @@
+// "materials": an object of named materials.
+#include "scene/families.hpp"
+#include "scene/read_parts.hpp"
+
+namespace brume {
+
+namespace {
+
+TextureDesc read_texture(const JsonValue& value, const std::filesystem::path& folder) {
+  TextureDesc t;
+  if (value.is_string()) {
+    t.file = read_path(value, folder);
+    return t;
+  }
+  t.type = value.get("type").as_member(texture_family(), "texture");
+  if (t.type == TEXTURE_IMAGE) t.file = read_path(value.get("file"), folder);
+  if (t.type == TEXTURE_CHECKER) {
+    if (value.has("colors")) {
+      const std::vector<JsonValue> colors = value.get("colors").as_list();
+      if (colors.size() != 2) value.get("colors").fail("expected 2 colors");
+      for (int i = 0; i < 2; ++i) t.colors[i] = colors[i].as_color(Range::at_least_0());
+    }
+    t.scale = value.number("scale", t.scale, Range::positive());
+  }
+  value.refuse_unread();
+  return t;
+}
+
+MaterialDesc read_material(const std::string& name, const JsonValue& m, const std::filesystem::path& folder) {
+  MaterialDesc out;
+  out.name = name;
+  out.model = m.member("model", out.model, material_family(), "material model");
+  out.ambient = m.color("ambient", out.ambient, Range::at_least_0());
+  out.diffuse = m.color("diffuse", out.diffuse, Range::at_least_0());
+  out.specular = m.color("specular", out.specular, Range::at_least_0());
+  out.emission = m.color("emission", out.emission, Range::at_least_0());
+  out.shininess = m.number("shininess", out.shininess, Range::closed(0, 1e6));
+  out.ior = m.number("ior", out.ior, Range::positive());
+  for (const char* key : {"reflection", "refraction"})
+    if (m.number(key, 0, Range::closed(0, 1)) != 0) refuse_not_yet(m.get(key), "0");
+  if (m.has("texture")) out.texture = read_texture(m.get("texture"), folder);
+  m.refuse_unread();
+  return out;
+}
+
+}  // namespace
+
+std::vector<MaterialDesc> read_materials(const JsonValue& scene, const std::filesystem::path& folder) {
+  std::vector<MaterialDesc> materials;
+  if (!scene.has("materials")) return materials;
+  const JsonValue all = scene.get("materials");
+  all.expect_object();
+  for (const auto& item : all.json().items()) materials.push_back(read_material(item.key(), all.get(item.key()), folder));
+  return materials;
+}
+
+}  // namespace brume

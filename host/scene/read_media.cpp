@@ -1,0 +1,100 @@
+// "media": bounds, density, coefficients, phase function.
+#include "scene/families.hpp"
+#include "scene/read_parts.hpp"
+
+namespace brume {
+
+namespace {
+
+constexpr int RESOLUTION_MAX = 4096;
+constexpr double SAMPLES_MAX = 2147483647.0;
+
+// Keys that a density type reads beside "type" (host/volume's table makes the field).
+struct DensityKeys {
+  std::string_view name;
+  bool resolution, value, noise, file, of;
+};
+constexpr DensityKeys DENSITIES[] = {
+    {"constant", true, true, false, false, false}, {"linear", true, false, false, false, false},
+    {"exponential", true, false, false, false, false}, {"perlin", true, false, true, false, false},
+    {"sphere", false, false, false, false, true}, {"file", false, false, false, true, false}};
+
+const Family& density_names() {
+  static const Family family = [] {
+    Family rows;
+    for (const DensityKeys& d : DENSITIES) rows.push_back({static_cast<int>(rows.size()), d.name, ""});
+    return rows;
+  }();
+  return family;
+}
+
+ivec3 read_resolution(const JsonValue& density, const ivec3& fallback) {
+  if (!density.has("resolution")) return fallback;
+  const std::vector<JsonValue> list = density.get("resolution").as_list();
+  if (list.size() != 3) density.get("resolution").fail("expected 3 integers");
+  ivec3 r;
+  for (int i = 0; i < 3; ++i) r[i] = list[i].as_integer(1, RESOLUTION_MAX);
+  if (double(r.x) * r.y * r.z > SAMPLES_MAX) density.get("resolution").fail("more than 2^31 samples");
+  return r;
+}
+
+DensityDesc read_density(const JsonValue& density, const std::filesystem::path& folder) {
+  DensityDesc d;
+  const DensityKeys& keys = DENSITIES[density.get("type").as_member(density_names(), "density")];
+  d.type = std::string(keys.name);
+  if (keys.resolution) d.resolution = read_resolution(density, d.resolution);
+  if (keys.value) d.value = density.number("value", d.value, Range::at_least_0());
+  if (keys.noise) {
+    d.scale = density.number("scale", d.scale, Range::positive());
+    d.octaves = density.integer("octaves", d.octaves, 1, 16);
+    d.seed = density.integer("seed", d.seed, 0, 0x7fffffff);
+  }
+  if (keys.file) {
+    d.file = read_path(density.get("path"), folder);
+    if (density.has("grid")) d.grid = density.get("grid").as_string();
+  }
+  if (keys.of) d.of = std::make_shared<DensityDesc>(read_density(density.get("of"), folder));
+  density.refuse_unread();
+  return d;
+}
+
+std::array<dvec3, 2> read_bounds(const JsonValue& bounds) {
+  const std::vector<JsonValue> corners = bounds.as_list();
+  if (corners.size() != 2) bounds.fail("expected [[x, y, z], [x, y, z]]: the lowest and the highest corner");
+  const std::array<dvec3, 2> b{corners[0].as_vec3(Range::any()), corners[1].as_vec3(Range::any())};
+  for (int i = 0; i < 3; ++i)
+    if (!(b[0][i] < b[1][i])) bounds.fail("the bounds contradict themselves: expected first corner < second on every axis");
+  return b;
+}
+
+void read_phase(const JsonValue& phase, MediumDesc& m) {
+  m.phase = phase.get("type").as_member(phase_family(), "phase function");
+  if (m.phase == PHASE_HENYEY_GREENSTEIN) m.g = phase.number("g", m.g, Range::open(-1, 1));
+  phase.refuse_unread();
+}
+
+MediumDesc read_medium(const JsonValue& medium, const std::filesystem::path& folder) {
+  MediumDesc m;
+  m.place = medium.place();
+  if (medium.has("bounds")) m.bounds = read_bounds(medium.get("bounds"));
+  m.transform = read_transform(medium);
+  m.interpolation = medium.member("interpolation", m.interpolation, interpolation_family(), "interpolation");
+  m.density = read_density(medium.get("density"), folder);
+  m.sigma_a = medium.color("sigma_a", m.sigma_a, Range::at_least_0());
+  m.sigma_s = medium.color("sigma_s", m.sigma_s, Range::at_least_0());
+  m.emission = medium.color("emission", m.emission, Range::at_least_0());
+  if (m.emission != dvec3(0)) refuse_not_yet(medium.get("emission"), "0");
+  if (medium.has("phase")) read_phase(medium.get("phase"), m);
+  medium.refuse_unread();
+  return m;
+}
+
+}  // namespace
+
+std::vector<MediumDesc> read_media(const JsonValue& scene, const std::filesystem::path& folder) {
+  std::vector<MediumDesc> media;
+  for (const JsonValue& medium : scene.list("media")) media.push_back(read_medium(medium, folder));
+  return media;
+}
+
+}  // namespace brume

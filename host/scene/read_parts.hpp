@@ -1,0 +1,23 @@
+// The parts of the scene reader, one file each.
+#pragma once
+#include "base/json_value.hpp"
+#include "scene/scene_desc.hpp"
+
+namespace brume {
+
+std::vector<MaterialDesc> read_materials(const JsonValue& scene, const std::filesystem::path& folder);
+std::vector<ShapeDesc> read_shapes(const JsonValue& scene, const std::vector<MaterialDesc>& materials, const std::filesystem::path& folder);
+std::vector<MediumDesc> read_media(const JsonValue& scene, const std::filesystem::path& folder);
+std::vector<LightDesc> read_lights(const JsonValue& scene);
+TransformDesc read_transform(const JsonValue& owner);
+
+// A path of the file, resolved against the folder of the scene.
+std::filesystem::path read_path(const JsonValue& value, const std::filesystem::path& folder);
+
+// Applies "/json/pointer=VALUE" to the parsed scene.
+void apply_override(nlohmann::json& scene, const std::string& text);
+
+// What the scene language names but this version cannot do yet is refused here, in one voice.
+[[noreturn]] void refuse_not_yet(const JsonValue& value, const std::string& allowed);
+
+}  // namespace brume

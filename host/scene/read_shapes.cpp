@@ -1,0 +1,136 @@
+// "shapes": one reader per type, chosen by a table.
+#include <glm/geometric.hpp>
+
+#include "scene/families.hpp"
+#include "scene/read_parts.hpp"
+
+namespace brume {
+
+namespace {
+
+using Geometry = decltype(ShapeDesc::geometry);
+using Folder = std::filesystem::path;
+
+Geometry read_sphere(const JsonValue& s, const Folder&) {
+  SphereDesc out;
+  out.center = s.vec3("center", out.center);
+  out.radius = s.number("radius", out.radius, Range::positive());
+  return out;
+}
+
+Geometry read_cylinder(const JsonValue& s, const Folder&) {
+  CylinderDesc out;
+  out.base = s.vec3("base", out.base);
+  out.top = s.vec3("top", out.top);
+  out.radius = s.number("radius", out.radius, Range::positive());
+  if (out.base == out.top) s.fail("base and top are the same point; they must differ");
+  return out;
+}
+
+Geometry read_plane(const JsonValue& s, const Folder&) {
+  PlaneDesc out;
+  out.point = s.vec3("point", out.point);
+  out.normal = s.vec3("normal", out.normal);
+  if (out.normal == dvec3(0)) s.fail("the normal must not be zero");
+  return out;
+}
+
+Geometry read_quad(const JsonValue& s, const Folder&) {
+  QuadDesc out;
+  out.corner = s.vec3("corner", out.corner);
+  out.u = s.vec3("u", out.u);
+  out.v = s.vec3("v", out.v);
+  if (glm::length(glm::cross(out.u, out.v)) <= 1e-9 * glm::length(out.u) * glm::length(out.v))
+    s.fail("u and v are parallel or zero; they must span an area");
+  return out;
+}
+
+Geometry read_box(const JsonValue& s, const Folder&) {
+  BoxDesc out;
+  out.min = s.vec3("min", out.min);
+  out.max = s.vec3("max", out.max);
+  out.transform = read_transform(s);
+  for (int i = 0; i < 3; ++i)
+    if (!(out.min[i] < out.max[i])) s.fail("expected min < max on every axis");
+  return out;
+}
+
+Geometry read_triangle(const JsonValue& s, const Folder&) {
+  TriangleDesc out;
+  const std::vector<JsonValue> vertices = s.get("vertices").as_list();
+  if (vertices.size() != 3) s.get("vertices").fail("expected 3 vertices");
+  for (int i = 0; i < 3; ++i) out.vertices[i] = vertices[i].as_vec3(Range::any());
+  if (glm::length(glm::cross(out.vertices[1] - out.vertices[0], out.vertices[2] - out.vertices[0])) == 0)
+    s.fail("the vertices lie on a line; they must span an area");
+  return out;
+}
+
+Geometry read_mesh(const JsonValue& s, const Folder& folder) {
+  MeshDesc out;
+  out.file = read_path(s.get("file"), folder);
+  if (s.has("shading") && s.get("shading").as_string() == "gouraud") refuse_not_yet(s.get("shading"), "\"flat\", \"phong\"");
+  out.shading = static_cast<MeshShading>(s.member("shading", static_cast<int>(out.shading), mesh_shading_family(), "shading"));
+  out.transform = read_transform(s);
+  return out;
+}
+
+// In the order of shape_family().
+constexpr Geometry (*READERS[])(const JsonValue&, const Folder&) = {read_sphere, read_cylinder, read_plane, read_quad,
+                                                                    read_box,    read_triangle, read_mesh};
+
+int read_material_name(const JsonValue& shape, const std::vector<MaterialDesc>& materials) {
+  if (!shape.has("material")) return -1;
+  const std::string name = shape.get("material").as_string();
+  std::string known;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    if (materials[i].name == name) return static_cast<int>(i);
+    known += (known.empty() ? "" : ", ") + materials[i].name;
+  }
+  shape.get("material").fail("unknown material '" + name + "'; known: " + (known.empty() ? "none" : known));
+}
+
+std::variant<Scale, Rotate, Translate> read_step(const JsonValue& step) {
+  if (step.has("scale")) {
+    const Scale s{step.get("scale").as_color(Range::any())};
+    if (s.factor.x == 0 || s.factor.y == 0 || s.factor.z == 0) step.fail("a scale of 0 leaves nothing; it must not be 0");
+    step.refuse_unread();
+    return s;
+  }
+  if (step.has("translate")) {
+    const Translate t{step.get("translate").as_vec3(Range::any())};
+    step.refuse_unread();
+    return t;
+  }
+  if (!step.has("rotate")) step.fail("expected {\"scale\": ...}, {\"rotate\": [x, y, z, degrees]} or {\"translate\": ...}");
+  const std::vector<JsonValue> v = step.get("rotate").as_list();
+  if (v.size() != 4) step.get("rotate").fail("expected [x, y, z, degrees]");
+  Rotate r;
+  for (int i = 0; i < 3; ++i) r.axis[i] = v[i].as_number(Range::any());
+  r.degrees = v[3].as_number(Range::any());
+  if (r.axis == dvec3(0)) step.get("rotate").fail("the axis must not be zero");
+  step.refuse_unread();
+  return r;
+}
+
+}  // namespace
+
+TransformDesc read_transform(const JsonValue& owner) {
+  TransformDesc steps;
+  for (const JsonValue& step : owner.list("transform")) steps.push_back(read_step(step));
+  return steps;
+}
+
+std::vector<ShapeDesc> read_shapes(const JsonValue& scene, const std::vector<MaterialDesc>& materials, const Folder& folder) {
+  std::vector<ShapeDesc> shapes;
+  for (const JsonValue& s : scene.list("shapes")) {
+    ShapeDesc shape;
+    shape.place = s.place();
+    shape.geometry = READERS[s.get("type").as_member(shape_family(), "shape")](s, folder);
+    shape.material = read_material_name(s, materials);
+    s.refuse_unread();
+    shapes.push_back(std::move(shape));
+  }
+  return shapes;
+}
+
+}  // namespace brume

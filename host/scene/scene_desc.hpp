@@ -1,0 +1,134 @@
+// A scene as its file states it: plain structs in double, in the file's units, before any loading of volumes, meshes or
+// images. Every field's default is the default of its key. Keys, meanings and ranges: scenes/README.md.
+#pragma once
+#include <array>
+#include <filesystem>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "shared/camera.h"
+#include "shared/light.h"
+#include "shared/material.h"
+#include "shared/method.h"
+#include "shared/phase.h"
+
+namespace brume {
+
+using glm::dvec3;
+using glm::ivec2;
+using glm::ivec3;
+
+struct CameraDesc {
+  int type = CAMERA_PERSPECTIVE;
+  dvec3 eye{0, 0, 5}, target{0, 0, 0}, up{0, 1, 0};
+  double vfov = 40;    // perspective: degrees, in (0, 180)
+  double height = 2;   // orthographic: world units, > 0
+};
+
+struct FilmDesc {
+  ivec2 size{512, 512};
+  int spp = 1;
+  double exposure = 0;
+};
+
+struct LightDesc {
+  int type = LIGHT_POINT;
+  dvec3 position{0}, direction{0, -1, 0};
+  dvec3 intensity{1};        // `irradiance` for directional
+  int falloff = FALLOFF_INVERSE_SQUARE;
+  double angle = 30;         // spot: half-angle of the cone, degrees, in (0, 90)
+  double softness = 0.1;     // spot: share of the angle over which the edge fades, in [0, 1]
+};
+
+struct TextureDesc {
+  int type = TEXTURE_IMAGE;
+  std::filesystem::path file;              // image; already resolved against the scene file
+  std::array<dvec3, 2> colors{dvec3(1), dvec3(0)};
+  double scale = 1;
+};
+
+struct MaterialDesc {
+  std::string name;
+  int model = MATERIAL_LAMBERT;
+  dvec3 ambient{0}, diffuse{0.5}, specular{0}, emission{0};
+  double shininess = 50, reflection = 0, refraction = 0, ior = 1.5;
+  std::optional<TextureDesc> texture;
+};
+
+// Transform steps are applied in the order in which they are written.
+struct Scale { dvec3 factor; };
+struct Rotate { dvec3 axis; double degrees; };
+struct Translate { dvec3 offset; };
+using TransformDesc = std::vector<std::variant<Scale, Rotate, Translate>>;
+
+// `material` is an index into SceneDesc::materials, or -1 where the scene names none (a mesh then takes those of its MTL).
+struct SphereDesc { dvec3 center{0}; double radius = 1; };
+struct CylinderDesc { dvec3 base{0}, top{0, 1, 0}; double radius = 1; };
+struct PlaneDesc { dvec3 point{0}, normal{0, 1, 0}; };
+struct QuadDesc { dvec3 corner{0}, u{1, 0, 0}, v{0, 1, 0}; };
+struct BoxDesc { dvec3 min{-1}, max{1}; TransformDesc transform; };
+struct TriangleDesc { std::array<dvec3, 3> vertices; };
+enum class MeshShading { FLAT, PHONG };
+struct MeshDesc { std::filesystem::path file; MeshShading shading = MeshShading::PHONG; TransformDesc transform; };
+
+struct ShapeDesc {
+  std::variant<SphereDesc, CylinderDesc, PlaneDesc, QuadDesc, BoxDesc, TriangleDesc, MeshDesc> geometry;
+  int material = -1;
+  std::string place;  // JSON pointer, for messages of later stages
+};
+
+// Where densities come from. The tables of generators and formats are in host/volume.
+struct DensityDesc {
+  std::string type = "constant";  // constant, linear, exponential, perlin, sphere, file
+  ivec3 resolution{64};
+  double value = 1;               // constant
+  double scale = 4;               // perlin: lattice cells along the longest side
+  int octaves = 4;
+  int seed = 1;
+  std::filesystem::path file;     // file; already resolved
+  std::string grid;               // file: name of the grid, empty = the first that can be a density
+  std::shared_ptr<DensityDesc> of;  // sphere: what is cut
+};
+
+struct MediumDesc {
+  std::optional<std::array<dvec3, 2>> bounds;  // file: the file's own transform when absent; generators: [-1,1]³
+  TransformDesc transform;
+  int interpolation = INTERPOLATION_TRILINEAR;
+  DensityDesc density;
+  dvec3 sigma_a{0}, sigma_s{0}, emission{0};
+  int phase = PHASE_ISOTROPIC;
+  double g = 0;
+  std::string place;  // JSON pointer, for messages of later stages
+};
+
+inline constexpr int METHOD_AUTO = -1;
+enum class InScattering { SEGMENT };
+enum class ShadowMode { TRACE };
+
+struct RenderDesc {
+  int method = METHOD_AUTO;
+  double step = 0.05;  // share of the medium's longest side
+  InScattering in_scattering = InScattering::SEGMENT;
+  ShadowMode shadow = ShadowMode::TRACE;
+  int max_depth = 5;
+  int seed = 0;
+};
+
+struct SceneDesc {
+  std::filesystem::path file;  // empty for a scene made from a bare volume or mesh
+  CameraDesc camera;
+  FilmDesc film;
+  dvec3 background{0}, ambient{0};
+  std::vector<LightDesc> lights;
+  std::vector<MaterialDesc> materials;
+  std::vector<ShapeDesc> shapes;
+  std::vector<MediumDesc> media;
+  RenderDesc render;
+};
+
+}  // namespace brume

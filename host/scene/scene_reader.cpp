@@ -1,0 +1,152 @@
+// See scene_reader.hpp: the whole file, camera, film, render settings, lights. Other parts: read_*.cpp.
+#include "scene/scene_reader.hpp"
+
+#include <cmath>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "scene/families.hpp"
+#include "scene/read_parts.hpp"
+
+namespace brume {
+
+namespace {
+
+constexpr std::uintmax_t FILE_BYTES_MAX = 64u << 20;
+constexpr int FILM_SIDE_MAX = 65536;
+constexpr double STEP_MIN = 1e-6;  // of the medium's longest side: a million steps
+
+std::string file_text(const std::filesystem::path& file) {
+  std::error_code error;
+  if (std::filesystem::is_directory(file, error)) throw InputError(file.string() + ": is a folder, expected a scene file");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw InputError(file.string() + ": cannot be opened");
+  if (std::filesystem::file_size(file, error) > FILE_BYTES_MAX)
+    throw InputError(file.string() + ": larger than " + std::to_string(FILE_BYTES_MAX >> 20) + " MiB, which no scene needs");
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+CameraDesc read_camera(const JsonValue& scene) {
+  CameraDesc c;
+  if (!scene.has("camera")) return c;
+  const JsonValue camera = scene.get("camera");
+  c.type = camera.member("type", c.type, camera_family(), "camera");
+  c.eye = camera.vec3("eye", c.eye);
+  c.target = camera.vec3("target", c.target);
+  c.up = camera.vec3("up", c.up);
+  if (c.type == CAMERA_PERSPECTIVE) c.vfov = camera.number("vfov", c.vfov, Range::open(0, 180));
+  if (c.type == CAMERA_ORTHOGRAPHIC) c.height = camera.number("height", c.height, Range::positive());
+  camera.refuse_unread();
+  const dvec3 view = c.target - c.eye;
+  if (glm::length(view) == 0) camera.fail("eye and target are the same point; they must differ");
+  if (glm::length(glm::cross(view, c.up)) <= 1e-9 * glm::length(view) * glm::length(c.up))
+    camera.fail("up is zero or along the view; it must point away from the line from eye to target");
+  return c;
+}
+
+FilmDesc read_film(const JsonValue& scene) {
+  FilmDesc f;
+  if (!scene.has("film")) return f;
+  const JsonValue film = scene.get("film");
+  if (film.has("size")) {
+    const std::vector<JsonValue> size = film.get("size").as_list();
+    if (size.size() != 2) film.get("size").fail("expected [width, height]");
+    for (int i = 0; i < 2; ++i) f.size[i] = size[i].as_integer(1, FILM_SIDE_MAX);
+  }
+  f.spp = film.integer("spp", f.spp, 1, 1 << 20);
+  f.exposure = film.number("exposure", f.exposure, Range::closed(-100, 100));
+  film.refuse_unread();
+  return f;
+}
+
+RenderDesc read_render(const JsonValue& scene) {
+  RenderDesc r;
+  if (!scene.has("render")) return r;
+  const JsonValue render = scene.get("render");
+  Family methods = method_family();
+  methods.insert(methods.begin(), {METHOD_AUTO, "auto", "the cheapest that is exact for each medium"});
+  r.method = render.member("method", r.method, methods, "method");
+  r.step = render.number("step", r.step, Range{STEP_MIN, INFINITY, false, true});
+  r.max_depth = render.integer("max_depth", r.max_depth, 0, 64);
+  r.seed = render.integer("seed", r.seed, 0, 0x7fffffff);
+  if (render.has("in_scattering") && render.get("in_scattering").as_string() != "segment")
+    refuse_not_yet(render.get("in_scattering"), "\"segment\"");
+  if (render.has("shadow")) {
+    const std::string shadow = render.get("shadow").as_string();
+    if (shadow != "trace" && shadow != "auto") refuse_not_yet(render.get("shadow"), "\"trace\", \"auto\"");
+  }
+  if (render.has("max_error") && !render.get("max_error").is_null()) refuse_not_yet(render.get("max_error"), "null");
+  render.refuse_unread();
+  return r;
+}
+
+LightDesc read_light(const JsonValue& light) {
+  LightDesc l;
+  l.type = light.get("type").as_member(light_family(), "light");
+  if (l.type == LIGHT_DIRECTIONAL) {
+    l.intensity = light.color("irradiance", l.intensity, Range::at_least_0());
+  } else {
+    l.position = light.get("position").as_vec3(Range::any());
+    l.intensity = light.color("intensity", l.intensity, Range::at_least_0());
+    l.falloff = light.member("falloff", l.falloff, falloff_family(), "falloff");
+  }
+  if (l.type != LIGHT_POINT) {
+    l.direction = light.get("direction").as_vec3(Range::any());
+    if (glm::length(l.direction) == 0) light.get("direction").fail("the direction must not be zero");
+  }
+  if (l.type == LIGHT_SPOT) {
+    l.angle = light.number("angle", l.angle, Range::open(0, 90));
+    l.softness = light.number("softness", l.softness, Range::closed(0, 1));
+  }
+  light.refuse_unread();
+  return l;
+}
+
+}  // namespace
+
+void refuse_not_yet(const JsonValue& value, const std::string& allowed) {
+  value.fail("this version does not know " + value.json().dump() + " here; allowed: " + allowed);
+}
+
+std::filesystem::path read_path(const JsonValue& value, const std::filesystem::path& folder) {
+  const std::string text = value.as_string();
+  if (text.empty()) value.fail("expected the path of a file, got an empty string");
+  return (folder / text).lexically_normal();
+}
+
+std::vector<LightDesc> read_lights(const JsonValue& scene) {
+  std::vector<LightDesc> lights;
+  for (const JsonValue& light : scene.list("lights")) lights.push_back(read_light(light));
+  return lights;
+}
+
+SceneDesc scene_read_text(std::string_view text, const std::filesystem::path& as_file, const std::vector<std::string>& overrides) {
+  nlohmann::json json = json_parse(text, as_file.string());
+  for (const std::string& change : overrides) apply_override(json, change);
+  const JsonValue scene(json, as_file.string());
+  scene.expect_object();
+  const std::filesystem::path folder = as_file.parent_path();
+  SceneDesc desc;
+  desc.file = as_file;
+  desc.camera = read_camera(scene);
+  desc.film = read_film(scene);
+  desc.background = scene.color("background", desc.background, Range::at_least_0());
+  desc.ambient = scene.color("ambient", desc.ambient, Range::at_least_0());
+  desc.lights = read_lights(scene);
+  desc.materials = read_materials(scene, folder);
+  desc.shapes = read_shapes(scene, desc.materials, folder);
+  desc.media = read_media(scene, folder);
+  desc.render = read_render(scene);
+  scene.refuse_unread();
+  return desc;
+}
+
+SceneDesc scene_read(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
+  return scene_read_text(file_text(file), file, overrides);
+}
+
+}  // namespace brume

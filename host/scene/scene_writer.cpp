@@ -1,0 +1,157 @@
+// See scene_writer.hpp.
+#include "scene/scene_writer.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "scene/families.hpp"
+
+namespace brume {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Folder = std::filesystem::path;
+
+Json vec(const dvec3& v) { return {v.x, v.y, v.z}; }
+
+std::string path_text(const std::filesystem::path& file, const Folder& folder) {
+  std::error_code error;
+  const auto relative = std::filesystem::relative(file, folder.empty() ? "." : folder, error);
+  return error || relative.empty() ? file.string() : relative.generic_string();
+}
+
+Json transform_json(const TransformDesc& transform) {
+  struct Step {
+    Json operator()(const Scale& s) const { return {{"scale", vec(s.factor)}}; }
+    Json operator()(const Rotate& r) const { return {{"rotate", {r.axis.x, r.axis.y, r.axis.z, r.degrees}}}; }
+    Json operator()(const Translate& t) const { return {{"translate", vec(t.offset)}}; }
+  };
+  Json steps = Json::array();
+  for (const auto& step : transform) steps.push_back(std::visit(Step{}, step));
+  return steps;
+}
+
+Json camera_json(const CameraDesc& c) {
+  Json json{{"type", family_name(camera_family(), c.type)}, {"eye", vec(c.eye)}, {"target", vec(c.target)}, {"up", vec(c.up)}};
+  if (c.type == CAMERA_PERSPECTIVE) json["vfov"] = c.vfov;
+  if (c.type == CAMERA_ORTHOGRAPHIC) json["height"] = c.height;
+  return json;
+}
+
+Json light_json(const LightDesc& l) {
+  Json json{{"type", family_name(light_family(), l.type)}};
+  if (l.type != LIGHT_DIRECTIONAL) json["position"] = vec(l.position);
+  if (l.type != LIGHT_POINT) json["direction"] = vec(l.direction);
+  json[l.type == LIGHT_DIRECTIONAL ? "irradiance" : "intensity"] = vec(l.intensity);
+  if (l.type != LIGHT_DIRECTIONAL) json["falloff"] = family_name(falloff_family(), l.falloff);
+  if (l.type == LIGHT_SPOT) {
+    json["angle"] = l.angle;
+    json["softness"] = l.softness;
+  }
+  return json;
+}
+
+Json material_json(const MaterialDesc& m, const Folder& folder) {
+  Json json{{"model", family_name(material_family(), m.model)}, {"ambient", vec(m.ambient)}, {"diffuse", vec(m.diffuse)},
+            {"specular", vec(m.specular)}, {"shininess", m.shininess}, {"reflection", m.reflection},
+            {"refraction", m.refraction}, {"ior", m.ior}, {"emission", vec(m.emission)}};
+  if (!m.texture) return json;
+  if (m.texture->type == TEXTURE_IMAGE)
+    json["texture"] = path_text(m.texture->file, folder);
+  else
+    json["texture"] = {{"type", "checker"}, {"colors", {vec(m.texture->colors[0]), vec(m.texture->colors[1])}}, {"scale", m.texture->scale}};
+  return json;
+}
+
+struct GeometryJson {
+  const Folder& folder;
+  Json operator()(const SphereDesc& s) const { return {{"type", "sphere"}, {"center", vec(s.center)}, {"radius", s.radius}}; }
+  Json operator()(const CylinderDesc& c) const {
+    return {{"type", "cylinder"}, {"base", vec(c.base)}, {"top", vec(c.top)}, {"radius", c.radius}};
+  }
+  Json operator()(const PlaneDesc& p) const { return {{"type", "plane"}, {"point", vec(p.point)}, {"normal", vec(p.normal)}}; }
+  Json operator()(const QuadDesc& q) const { return {{"type", "quad"}, {"corner", vec(q.corner)}, {"u", vec(q.u)}, {"v", vec(q.v)}}; }
+  Json operator()(const BoxDesc& b) const {
+    return {{"type", "box"}, {"min", vec(b.min)}, {"max", vec(b.max)}, {"transform", transform_json(b.transform)}};
+  }
+  Json operator()(const TriangleDesc& t) const {
+    return {{"type", "triangle"}, {"vertices", {vec(t.vertices[0]), vec(t.vertices[1]), vec(t.vertices[2])}}};
+  }
+  Json operator()(const MeshDesc& m) const {
+    return {{"type", "mesh"}, {"file", path_text(m.file, folder)},
+            {"shading", family_name(mesh_shading_family(), static_cast<int>(m.shading))}, {"transform", transform_json(m.transform)}};
+  }
+};
+
+Json density_json(const DensityDesc& d, const Folder& folder) {
+  if (d.type == "file") {
+    Json json{{"type", "file"}, {"path", path_text(d.file, folder)}};
+    if (!d.grid.empty()) json["grid"] = d.grid;
+    return json;
+  }
+  if (d.type == "sphere") return {{"type", "sphere"}, {"of", density_json(*d.of, folder)}};
+  Json json{{"type", d.type}, {"resolution", {d.resolution.x, d.resolution.y, d.resolution.z}}};
+  if (d.type == "constant") json["value"] = d.value;
+  if (d.type == "perlin") {
+    json["scale"] = d.scale;
+    json["octaves"] = d.octaves;
+    json["seed"] = d.seed;
+  }
+  return json;
+}
+
+Json medium_json(const MediumDesc& m, const Folder& folder) {
+  Json json;
+  if (m.bounds) json["bounds"] = {vec((*m.bounds)[0]), vec((*m.bounds)[1])};
+  if (!m.transform.empty()) json["transform"] = transform_json(m.transform);
+  json["interpolation"] = family_name(interpolation_family(), m.interpolation);
+  json["density"] = density_json(m.density, folder);
+  json["sigma_a"] = vec(m.sigma_a);
+  json["sigma_s"] = vec(m.sigma_s);
+  json["emission"] = vec(m.emission);
+  json["phase"] = {{"type", family_name(phase_family(), m.phase)}};
+  if (m.phase == PHASE_HENYEY_GREENSTEIN) json["phase"]["g"] = m.g;
+  return json;
+}
+
+// Vectors stay on one line: lists of numbers are long otherwise.
+std::string compact_lists(const std::string& text) {
+  std::string out;
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '[' && text.find_first_of("[{\"", i + 1) > text.find(']', i)) depth = 1;
+    if (depth > 0 && (text[i] == '\n' || (text[i] == ' ' && text[i - 1] != ','))) continue;
+    out += text[i];
+    if (depth > 0 && text[i] == ',') out += ' ';
+    if (text[i] == ']') depth = 0;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string scene_write(const SceneDesc& desc, const Folder& folder) {
+  Json json;
+  json["camera"] = camera_json(desc.camera);
+  json["film"] = {{"size", {desc.film.size.x, desc.film.size.y}}, {"spp", desc.film.spp}, {"exposure", desc.film.exposure}};
+  json["background"] = vec(desc.background);
+  json["ambient"] = vec(desc.ambient);
+  json["lights"] = Json::array();
+  for (const LightDesc& l : desc.lights) json["lights"].push_back(light_json(l));
+  json["materials"] = Json::object();
+  for (const MaterialDesc& m : desc.materials) json["materials"][m.name] = material_json(m, folder);
+  json["shapes"] = Json::array();
+  for (const ShapeDesc& s : desc.shapes) {
+    Json shape = std::visit(GeometryJson{folder}, s.geometry);
+    if (s.material >= 0) shape["material"] = desc.materials[s.material].name;
+    json["shapes"].push_back(shape);
+  }
+  json["media"] = Json::array();
+  for (const MediumDesc& m : desc.media) json["media"].push_back(medium_json(m, folder));
+  json["render"] = {{"method", desc.render.method == METHOD_AUTO ? "auto" : family_name(method_family(), desc.render.method)},
+                    {"step", desc.render.step}, {"in_scattering", "segment"}, {"shadow", "trace"},
+                    {"max_depth", desc.render.max_depth}, {"seed", desc.render.seed}};
+  return compact_lists(json.dump(2)) + "\n";
+}
+
+}  // namespace brume

@@ -1,0 +1,45 @@
+// The table of density sources. A new generator is one file in generators/ and one row here.
+#include "volume/density_source.hpp"
+
+#include "base/error.hpp"
+#include "volume/generators/generators.hpp"
+#include "volume/volume_file.hpp"
+
+namespace brume {
+
+namespace {
+
+Grid density_file(const DensitySpec& spec) { return volume_read(spec.file, spec.grid); }
+
+struct DensityRow {
+  std::string_view name, help;
+  Grid (*make)(const DensitySpec&);
+};
+constexpr DensityRow DENSITIES[] = {
+    {"constant", "value everywhere", density_constant},
+    {"linear", "1 at the bottom of y, 0 at the top", density_linear},
+    {"exponential", "exp(-y), y from 0 at the bottom to 1 at the top", density_exponential},
+    {"perlin", "fractal sum of Perlin noise in [0, 1]: scale, octaves, seed", density_perlin},
+    {"sphere", "`of` within the inscribed ellipsoid, 0 outside", density_sphere},
+    {"file", "a grid of a volume file: path, grid", density_file}};
+
+}  // namespace
+
+const Family& density_family() {
+  static const Family family = [] {
+    Family rows;
+    for (const DensityRow& row : DENSITIES) rows.push_back({static_cast<int>(rows.size()), row.name, row.help});
+    return rows;
+  }();
+  return family;
+}
+
+Grid density_make(const DensitySpec& spec) {
+  const FamilyRow* row = family_find(density_family(), spec.type);
+  if (!row) throw InputError("density: unknown type '" + spec.type + "'; known: " + family_names(density_family()));
+  Grid grid = DENSITIES[row->id].make(spec);
+  if (grid.source.empty()) grid.source = spec.type;
+  return grid;
+}
+
+}  // namespace brume

@@ -1,0 +1,32 @@
+// Where densities come from: one table name -> function of generators and files. Knows nothing of where a medium stands
+// or of its coefficients.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "base/family.hpp"
+#include "volume/grid.hpp"
+
+namespace brume {
+
+// The "density" of a medium; each type reads the fields that name it.
+struct DensitySpec {
+  std::string type = "constant";    // a name of density_family()
+  ivec3 resolution{64};             // generators but sphere: samples, each >= 1
+  double value = 1;                 // constant: finite, >= 0
+  double scale = 4;                 // perlin: lattice cells along the longest side, in (0, 1e9]
+  int octaves = 4;                  // perlin: 1 ... 16
+  int seed = 1;                     // perlin
+  std::filesystem::path file;       // file
+  std::string grid;                 // file: name of the grid, empty = the first that can be a density
+  std::shared_ptr<DensitySpec> of;  // sphere: what is cut
+};
+
+const Family& density_family();
+
+// Generators: Border::CLAMP and world_from_lattice left at identity. Files: Border::ZERO and the file's transform.
+// Every sample is finite and >= 0. Throws InputError.
+Grid density_make(const DensitySpec& spec);
+
+}  // namespace brume

@@ -1,0 +1,24 @@
+// Densities with a closed form along y; sample j sits at y = (j + 0.5) / ny.
+#include <cfloat>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "volume/generators/generators.hpp"
+
+namespace brume {
+
+Grid density_constant(const DensitySpec& spec) {
+  if (!(spec.value >= 0 && spec.value <= FLT_MAX))
+    throw InputError("density 'constant': value: expected a finite number >= 0, got " + std::to_string(spec.value));
+  return grid_generate(spec, [&](ivec3) { return spec.value; });
+}
+
+Grid density_linear(const DensitySpec& spec) {
+  return grid_generate(spec, [&](ivec3 i) { return 1 - (i.y + 0.5) / spec.resolution.y; });
+}
+
+Grid density_exponential(const DensitySpec& spec) {
+  return grid_generate(spec, [&](ivec3 i) { return std::exp(-(i.y + 0.5) / spec.resolution.y); });
+}
+
+}  // namespace brume

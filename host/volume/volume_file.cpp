@@ -1,0 +1,42 @@
+// The table of volume formats by extension. A new format is one file in formats/ and one row here.
+#include "volume/volume_file.hpp"
+
+#include "base/error.hpp"
+#include "volume/formats/openvdb.hpp"
+
+namespace brume {
+namespace fs = std::filesystem;
+
+namespace {
+
+struct FormatRow {
+  std::string_view extension;
+  std::vector<VolumeGridInfo> (*list)(const fs::path&);
+  Grid (*read)(const fs::path&, const std::string& grid_name);
+};
+constexpr FormatRow FORMATS[] = {{".vdb", vdb_list, vdb_read}};
+
+// The format of a file that exists and is not empty.
+const FormatRow& format_of(const fs::path& file) {
+  std::error_code failed;
+  const fs::file_status status = fs::status(file, failed);
+  if (!fs::exists(status)) throw InputError(file.string() + ": no such file");
+  if (!fs::is_regular_file(status)) throw InputError(file.string() + ": not a regular file");
+  std::string known;
+  for (const FormatRow& row : FORMATS) {
+    if (file.extension() == row.extension) {
+      if (fs::file_size(file, failed) == 0) throw InputError(file.string() + ": the file is empty");
+      return row;
+    }
+    known += (known.empty() ? "" : ", ") + std::string(row.extension);
+  }
+  throw InputError(file.string() + ": unknown volume format '" + file.extension().string() + "'; known: " + known);
+}
+
+}  // namespace
+
+std::vector<VolumeGridInfo> volume_list(const fs::path& file) { return format_of(file).list(file); }
+
+Grid volume_read(const fs::path& file, const std::string& grid_name) { return format_of(file).read(file, grid_name); }
+
+}  // namespace brume

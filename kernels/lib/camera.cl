@@ -1,0 +1,42 @@
+// Film position of a sample and the ray through it. Definitions: ARCHITECTURE, "Pixel positions".
+#ifndef BRUME_LIB_CAMERA_CL
+#define BRUME_LIB_CAMERA_CL
+#include "lib/rng.cl"
+#include "lib/vec.cl"
+#include "shared/frame.h"
+#include "shared/ray.h"
+
+// Where sample `sample` of `spp` sits within its pixel: strata of equal area for any spp.
+static inline float2 pixel_position(uint sample, uint spp, float xi_x, float xi_y) {
+  if (spp == 1) return (float2)(0.5f, 0.5f);
+  uint columns = (uint)sqrt((float)spp);
+  columns -= columns * columns > spp;
+  const uint column = (uint)(((ulong)sample * columns) / spp);
+  const uint first = (uint)(((ulong)column * spp + columns - 1) / columns);
+  const uint next = (uint)(((ulong)(column + 1) * spp + columns - 1) / columns);
+  const float rows = (float)(next - first);
+  return (float2)(((float)first + xi_x * rows) / (float)spp, ((float)(sample - first) + xi_y) / rows);
+}
+
+static inline Ray camera_ray(__constant const Frame* frame, uint pixel, uint sample) {
+  __constant const Camera* camera = &frame->camera;
+  const float xi_x = rng_uniform(pixel, sample, 0, frame->seed);
+  const float xi_y = rng_uniform(pixel, sample, 1, frame->seed);
+  const float2 in_pixel = pixel_position(sample, (uint)camera->spp, xi_x, xi_y);
+  const uint column = pixel % (uint)camera->width;
+  const uint row = pixel / (uint)camera->width;
+  const float x = 2.0f * ((float)column + in_pixel.x) / (float)camera->width - 1.0f;
+  const float y = 1.0f - 2.0f * ((float)row + in_pixel.y) / (float)camera->height;
+  const float3 offset = x * vec_unpack(camera->right) + y * vec_unpack(camera->up);
+  const int perspective = camera->type == CAMERA_PERSPECTIVE;
+  float3 dir = vec_unpack(camera->forward);
+  if (perspective) dir = normalize(dir + offset);
+  Ray ray;
+  ray.origin = vec_pack(vec_unpack(camera->eye) + (perspective ? (float3)(0.0f) : offset));
+  ray.pixel = pixel;
+  ray.dir = vec_pack(dir + 0.0f);  // + 0 turns -0.0 into 0.0
+  ray.sample = sample;
+  return ray;
+}
+
+#endif

@@ -1,0 +1,39 @@
+// Lights without extent: direction of travel and irradiance at normal incidence, as shared/light.h defines them.
+#ifndef BRUME_LIB_LIGHT_CL
+#define BRUME_LIB_LIGHT_CL
+#include "lib/scene.cl"
+
+typedef struct {
+  float3 travel;      // unit, from the light to the point
+  float3 irradiance;  // at normal incidence, before anything blocks it
+  float distance;     // to the light; INFINITY for directional
+} LightSample;
+
+static inline float spot_cone(const Light* light, float cos_angle) {
+  if (cos_angle <= light->cos_outer) return 0.0f;
+  if (cos_angle >= light->cos_inner) return 1.0f;
+  const float x = (cos_angle - light->cos_outer) / (light->cos_inner - light->cos_outer);
+  return x * x * (3.0f - 2.0f * x);
+}
+
+static inline LightSample light_sample(__global const Light* lights, int index, float3 point) {
+  const Light light = lights[index];
+  LightSample s;
+  s.irradiance = vec_unpack(light.intensity);
+  s.travel = vec_unpack(light.direction);
+  s.distance = INFINITY;
+  if ((USES_LIGHT(POINT) || USES_LIGHT(SPOT)) && light.type != LIGHT_DIRECTIONAL) {
+    const float3 to_point = point - vec_unpack(light.position);
+    s.distance = length(to_point);
+    if (!(s.distance > 0.0f)) {  // at the light itself there is no direction, and nothing arrives
+      s.irradiance = (float3)(0.0f);
+      return s;
+    }
+    s.travel = to_point / s.distance;
+    if (light.falloff == FALLOFF_INVERSE_SQUARE) s.irradiance /= s.distance * s.distance;
+    if (USES_LIGHT(SPOT) && light.type == LIGHT_SPOT) s.irradiance *= spot_cone(&light, dot(s.travel, vec_unpack(light.direction)));
+  }
+  return s;
+}
+
+#endif

@@ -1,0 +1,62 @@
+// Textures and the light that a material sends to the viewer. Definitions: ARCHITECTURE "The pixel", shared/material.h.
+#ifndef BRUME_LIB_MATERIAL_CL
+#define BRUME_LIB_MATERIAL_CL
+#include "lib/surface.cl"
+
+static inline float3 texel_load(const Scene* scene, const Texture* t, int x, int y) {
+  __global const float* p = scene->texels + 3 * (size_t)(t->offset + (uint)(y * t->width + x));
+  return (float3)(p[0], p[1], p[2]);
+}
+
+// Index of the texel left of x and its right neighbour, repeated; returns the weight of the neighbour.
+static inline float texel_pair(float x, int n, int* i0, int* i1) {
+  const float wrapped = (x - floor(x)) * (float)n - 0.5f;
+  const float low = floor(wrapped);
+  const int i = (int)low;
+  *i0 = i < 0 ? n - 1 : min(i, n - 1);
+  *i1 = i + 1 >= n ? 0 : i + 1;
+  return wrapped - low;
+}
+
+static inline float3 texture_image(const Scene* scene, const Texture* t, float2 uv) {
+  int x0, x1, y0, y1;
+  const float fx = texel_pair(uv.x, t->width, &x0, &x1);
+  const float fy = texel_pair(uv.y, t->height, &y0, &y1);
+  const float3 a = texel_load(scene, t, x0, y0), b = texel_load(scene, t, x1, y0);
+  const float3 c = texel_load(scene, t, x0, y1), d = texel_load(scene, t, x1, y1);
+  const float3 low = a + fx * (b - a);
+  const float3 high = c + fx * (d - c);
+  return low + fy * (high - low);
+}
+
+// Color of the texture; *second is set where the hit lies in the second color of a checker.
+static inline float3 texture_lookup(const Scene* scene, int index, float2 uv, uint* second) {
+  const Texture t = scene->textures[index];
+  if (t.type == TEXTURE_IMAGE) return texture_image(scene, &t, uv);
+  const float squares = floor(uv.x * t.scale) + floor(uv.y * t.scale);
+  *second = (squares - 2.0f * floor(0.5f * squares)) != 0.0f;
+  return vec_unpack(*second ? t.color_b : t.color_a);
+}
+
+static inline float3 material_diffuse(const Scene* scene, const Material* m, float2 uv, uint* second) {
+  *second = 0;
+  float3 diffuse = vec_unpack(m->diffuse);
+#if BRUME_TEXTURED
+  if (m->texture >= 0) diffuse *= texture_lookup(scene, m->texture, uv, second);
+#endif
+  return diffuse;
+}
+
+// Radiance towards the viewer per irradiance E, for light that arrives along -to_light (N·L > 0 is the caller's to check).
+static inline float3 material_reflect(const Material* m, float3 diffuse, float3 n, float3 to_light, float3 to_viewer) {
+  const float n_dot_l = dot(n, to_light);
+  float3 out = diffuse * (n_dot_l * INV_PI_F);
+  if (m->model != MATERIAL_LAMBERT) {
+    const float cosine = m->model == MATERIAL_PHONG ? dot(2.0f * n_dot_l * n - to_light, to_viewer)
+                                                    : dot(n, normalize(to_light + to_viewer));
+    if (cosine > 0.0f) out += vec_unpack(m->specular) * pow(cosine, m->shininess);
+  }
+  return out;
+}
+
+#endif

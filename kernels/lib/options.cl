@@ -1,0 +1,58 @@
+// Every -D knob, its default and its meaning. The defaults make the generic kernel: any file here compiles alone, and
+// host/render/kernel_options.cpp, the only place that writes -D strings, narrows them to what a scene needs.
+#ifndef BRUME_LIB_OPTIONS_CL
+#define BRUME_LIB_OPTIONS_CL
+#include "shared/method.h"
+
+// Multiply-add is rounded once only where fma is written: kernels must not depend on what a compiler contracts.
+#pragma OPENCL FP_CONTRACT OFF
+
+#ifndef BRUME_LANES  // SIMD lanes inside a work-item: samples along a ray, boxes and triangles of a node. 1, 4, 8 or 16
+#define BRUME_LANES 1
+#endif
+#ifndef BRUME_BVH_WIDTH  // children of a BVH node, a multiple of BRUME_LANES
+#define BRUME_BVH_WIDTH (BRUME_LANES < 4 ? 4 : BRUME_LANES)
+#endif
+#ifndef BRUME_FAST_FMA  // the device rounds fma in hardware
+#define BRUME_FAST_FMA 1
+#endif
+
+#ifndef BRUME_MEDIA  // 0: no medium code; 1: exactly one medium; 2: any number
+#define BRUME_MEDIA 2
+#endif
+#ifndef BRUME_COLOR_TAU  // 0: sigma_t is grey in every medium, one optical depth serves three channels
+#define BRUME_COLOR_TAU 1
+#endif
+#ifndef BRUME_METHODS_USED  // bit METHOD_x: some medium uses that method
+#define BRUME_METHODS_USED ((1 << METHOD_COUNT) - 1)
+#endif
+#ifndef BRUME_SPHERE_REGION  // some medium fills a sphere instead of its box
+#define BRUME_SPHERE_REGION 1
+#endif
+#ifndef BRUME_PHASES_USED  // bit PHASE_x
+#define BRUME_PHASES_USED 0xff
+#endif
+#ifndef BRUME_SHAPES_USED  // bit SHAPE_x of the analytic shapes in the scene
+#define BRUME_SHAPES_USED 0xff
+#endif
+#ifndef BRUME_TRIANGLES  // the scene has triangles
+#define BRUME_TRIANGLES 1
+#endif
+#ifndef BRUME_TEXTURED  // some material has a texture
+#define BRUME_TEXTURED 1
+#endif
+#ifndef BRUME_LIGHTS_USED  // bit LIGHT_x
+#define BRUME_LIGHTS_USED 0xff
+#endif
+
+// For use in C conditions, where the compiler folds them; a preprocessor #if would take the enum's names for 0.
+#define USES_METHOD(id) (((BRUME_METHODS_USED) >> METHOD_##id) & 1)
+#define USES_PHASE(id) (((BRUME_PHASES_USED) >> PHASE_##id) & 1)
+#define USES_SHAPE(id) (((BRUME_SHAPES_USED) >> SHAPE_##id) & 1)
+#define USES_LIGHT(id) (((BRUME_LIGHTS_USED) >> LIGHT_##id) & 1)
+#define HAS_SURFACES ((BRUME_SHAPES_USED) || (BRUME_TRIANGLES))
+
+// The rest of a ray is dropped once τ exceeds this in every channel: less than e^-24 = 4e-11 of what lies behind.
+#define TAU_STOP 24.0f
+
+#endif

@@ -1,0 +1,35 @@
+// float3 helpers. Packed3 is what buffers hold, float3 what code computes with.
+#ifndef BRUME_LIB_VEC_CL
+#define BRUME_LIB_VEC_CL
+#include "lib/lanes.cl"
+#include "shared/platform.h"
+
+#define PI_F 3.14159265358979f
+#define INV_PI_F 0.318309886183791f
+
+static inline float3 vec_unpack(Packed3 p) { return (float3)(p.x, p.y, p.z); }
+static inline Packed3 vec_pack(float3 v) {
+  Packed3 p;
+  p.x = v.x;
+  p.y = v.y;
+  p.z = v.z;
+  return p;
+}
+static inline float vec_max_abs(float3 v) { return fmax(fmax(fabs(v.x), fabs(v.y)), fabs(v.z)); }
+static inline float vec_max(float3 v) { return fmax(fmax(v.x, v.y), v.z); }
+static inline float vec_min(float3 v) { return fmin(fmin(v.x, v.y), v.z); }
+static inline float3 vec_point(float3 origin, float3 dir, float t) {
+  return (float3)(mad_exact(t, dir.x, origin.x), mad_exact(t, dir.y, origin.y), mad_exact(t, dir.z, origin.z));
+}
+static inline float3 affine_point(const Affine* a, float3 p) {
+  return (float3)(mad_exact(a->m[0], p.x, mad_exact(a->m[1], p.y, mad_exact(a->m[2], p.z, a->m[3]))),
+                  mad_exact(a->m[4], p.x, mad_exact(a->m[5], p.y, mad_exact(a->m[6], p.z, a->m[7]))),
+                  mad_exact(a->m[8], p.x, mad_exact(a->m[9], p.y, mad_exact(a->m[10], p.z, a->m[11]))));
+}
+static inline float3 affine_dir(const Affine* a, float3 d) {
+  return (float3)(mad_exact(a->m[0], d.x, mad_exact(a->m[1], d.y, a->m[2] * d.z)),
+                  mad_exact(a->m[4], d.x, mad_exact(a->m[5], d.y, a->m[6] * d.z)),
+                  mad_exact(a->m[8], d.x, mad_exact(a->m[9], d.y, a->m[10] * d.z)));
+}
+
+#endif

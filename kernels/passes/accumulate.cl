@@ -1,0 +1,35 @@
+// Adds the samples of a batch to their pixels, in a fixed order: a picture is bit-identical from run to run.
+#include "lib/vec.cl"
+#include "shared/aov.h"
+#include "shared/frame.h"
+#include "shared/ray.h"
+#include "shared/shape.h"
+
+static inline void packed_add(Packed3* sum, Packed3 v) {
+  sum->x += v.x;
+  sum->y += v.y;
+  sum->z += v.z;
+}
+
+__kernel void accumulate(uint first_pixel, uint pixels, uint samples, __global const Hit* hits,
+                         __global const MediumResult* results, __global const Sample* finished, __global FilmPixel* film) {
+  const uint pixel = (uint)get_global_id(0);
+  if (pixel >= pixels) return;
+  FilmPixel sum = film[first_pixel + pixel];
+  for (uint s = 0; s < samples; ++s) {
+    const uint item = pixel * samples + s;
+    const Sample sample = finished[item];
+    packed_add(&sum.radiance, sample.radiance);
+    packed_add(&sum.normal, sample.normal);
+    packed_add(&sum.transmittance, results[item].transmittance);
+    sum.samples += 1.0f;
+    sum.lookups += (float)results[item].lookups;
+    sum.shadow_rays += (float)results[item].shadow_rays;
+    sum.key += sample.key;
+    if (hits[item].primitive != PRIMITIVE_NONE) {
+      sum.depth += hits[item].t;
+      sum.hits += 1.0f;
+    }
+  }
+  film[first_pixel + pixel] = sum;
+}

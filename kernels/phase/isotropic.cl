@@ -1,0 +1,7 @@
+// 1/(4π) in all directions.
+#ifndef BRUME_PHASE_ISOTROPIC_CL
+#define BRUME_PHASE_ISOTROPIC_CL
+
+static inline float isotropic_eval(void) { return 0.0795774715459477f; }
+
+#endif

@@ -1,0 +1,144 @@
+// Entry points that run single device functions on arrays, for `brume check` and the kernel tests. All have one form:
+// item i reads its floats of `in` and writes its floats of `out`; host/check knows the strides.
+#include "lib/camera.cl"
+#include "lib/material.cl"
+#include "lib/radiative.cl"
+#include "lib/surface.cl"
+#include "shared/aov.h"
+
+#define PROBE(name) __kernel void name(SCENE_ARGS, uint count, __global const float* in, __global float* out)
+#define PROBE_ITEM                             \
+  const uint item = (uint)get_global_id(0);    \
+  if (item >= count) return;                   \
+  const Scene scene = SCENE_PACK;              \
+  (void)scene
+
+static inline float3 probe_load3(__global const float* p) { return (float3)(p[0], p[1], p[2]); }
+static inline void probe_store3(float3 v, __global float* p) {
+  p[0] = v.x;
+  p[1] = v.y;
+  p[2] = v.z;
+}
+
+// in: pixel, sample, dimension, seed as bits. out: u
+PROBE(probe_rng) {
+  PROBE_ITEM;
+  __global const uint* v = (__global const uint*)(in + 4 * item);
+  out[item] = rng_uniform(v[0], v[1], v[2], v[3]);
+}
+
+// in: pixel, sample as bits. out: origin, direction
+PROBE(probe_camera) {
+  PROBE_ITEM;
+  __global const uint* v = (__global const uint*)(in + 2 * item);
+  const Ray ray = camera_ray(frame, v[0], v[1]);
+  probe_store3(vec_unpack(ray.origin), out + 6 * item);
+  probe_store3(vec_unpack(ray.dir), out + 6 * item + 3);
+}
+
+// in: phase as bits, g, before, after. out: value
+PROBE(probe_phase) {
+  PROBE_ITEM;
+  __global const float* v = in + 8 * item;
+  out[item] = phase_eval(as_int(v[0]), v[1], probe_load3(v + 2), probe_load3(v + 5));
+}
+
+// in: origin, direction, t_max. out: t, primitive as bits, u, v
+PROBE(probe_hit) {
+  PROBE_ITEM;
+  __global const float* v = in + 7 * item;
+  const Hit hit = scene_hit(&scene, probe_load3(v), probe_load3(v + 3), v[6], 0);
+  out[4 * item] = hit.primitive == PRIMITIVE_NONE ? INFINITY : hit.t;
+  out[4 * item + 1] = as_float(hit.primitive);
+  out[4 * item + 2] = hit.u;
+  out[4 * item + 3] = hit.v;
+}
+
+// in: origin, direction, t_max. out: 1 when something is hit before t_max
+PROBE(probe_occluded) {
+  PROBE_ITEM;
+  __global const float* v = in + 7 * item;
+  out[item] = (float)scene_occluded(&scene, probe_load3(v), probe_load3(v + 3), v[6]);
+}
+
+// in: origin, direction, t, primitive as bits, u, v. out: geometric normal, shading normal, uv
+PROBE(probe_surface) {
+  PROBE_ITEM;
+  __global const float* v = in + 10 * item;
+  Ray ray;
+  ray.origin = vec_pack(probe_load3(v));
+  ray.dir = vec_pack(probe_load3(v + 3));
+  ray.pixel = 0;
+  ray.sample = 0;
+  Hit hit;
+  hit.t = v[6];
+  hit.primitive = as_int(v[7]);
+  hit.u = v[8];
+  hit.v = v[9];
+  const Surface s = surface_at(&scene, &ray, &hit);
+  probe_store3(s.geometric_normal, out + 8 * item);
+  probe_store3(s.normal, out + 8 * item + 3);
+  out[8 * item + 6] = s.uv.x;
+  out[8 * item + 7] = s.uv.y;
+}
+
+// in: texture as bits, u, v. out: color, 1 in the second color of a checker
+PROBE(probe_texture) {
+  PROBE_ITEM;
+  __global const float* v = in + 3 * item;
+  uint second = 0;
+  probe_store3(texture_lookup(&scene, as_int(v[0]), (float2)(v[1], v[2]), &second), out + 4 * item);
+  out[4 * item + 3] = (float)second;
+}
+
+// in: light as bits, point. out: direction of travel, irradiance, distance
+PROBE(probe_light) {
+  PROBE_ITEM;
+  __global const float* v = in + 4 * item;
+  const LightSample s = light_sample(lights, as_int(v[0]), probe_load3(v + 1));
+  probe_store3(s.travel, out + 7 * item);
+  probe_store3(s.irradiance, out + 7 * item + 3);
+  out[7 * item + 6] = s.distance;
+}
+
+// in: medium as bits, origin, direction, t_max. out: PROBE_SEGMENTS pairs (t of the middle, length), unused ones 0
+#define PROBE_SEGMENTS 128
+PROBE(probe_segments) {
+  PROBE_ITEM;
+  __global const float* v = in + 8 * item;
+  __global float* o = out + 2 * PROBE_SEGMENTS * item;
+  const Medium medium = media[as_int(v[0])];
+  const MediumRay ray = medium_ray(&medium, probe_load3(v + 1), probe_load3(v + 4), v[7]);
+  for (int i = 0; i < 2 * PROBE_SEGMENTS; ++i) o[i] = 0.0f;
+  if (!(ray.length > 0.0f)) return;
+  Walk walk = walk_begin(&medium, &ray);
+  Segments at;
+  int n = 0;
+  for (walk_next(&scene, &medium, &ray, &walk, &at); at.count > 0; walk_next(&scene, &medium, &ray, &walk, &at)) {
+    for (int i = 0; i < at.count && n < PROBE_SEGMENTS; ++i, ++n) {
+      o[2 * n] = ray.t_begin + at.middle[i];
+      o[2 * n + 1] = at.size[i];
+    }
+  }
+}
+
+// in: medium as bits, origin, direction, t_max. out: ∫ρ
+PROBE(probe_integral) {
+  PROBE_ITEM;
+  __global const float* v = in + 8 * item;
+  const Medium medium = media[as_int(v[0])];
+  const MediumRay ray = medium_ray(&medium, probe_load3(v + 1), probe_load3(v + 4), v[7]);
+  uint lookups = 0;
+  out[item] = walk_total(&scene, &medium, &ray, INFINITY, &lookups);
+}
+
+// out: size of each shared struct as this device lays it out
+PROBE(probe_layout) {
+  PROBE_ITEM;
+  (void)in;
+  const float sizes[] = {sizeof(Packed3), sizeof(Affine), sizeof(Camera), sizeof(Frame),  sizeof(Light),
+                         sizeof(Material), sizeof(Texture), sizeof(Shape), sizeof(Triangle), sizeof(Medium),
+                         sizeof(Ray),     sizeof(Hit),    sizeof(MediumResult), sizeof(LightArrival), sizeof(Sample),
+                         sizeof(FilmPixel)};
+  for (int i = 0; i < (int)(sizeof(sizes) / sizeof(float)); ++i) out[i] = sizes[i];
+}

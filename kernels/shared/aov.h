@@ -1,0 +1,37 @@
+// Named planes of the film beside the radiance.
+#ifndef BRUME_SHARED_AOV_H
+#define BRUME_SHARED_AOV_H
+#include "shared/platform.h"
+
+// ROW(ID, name, channels, help)
+#define BRUME_AOVS(ROW)                                                                                           \
+  ROW(DEPTH, "depth", 1, "distance to the first surface, mean over the samples that hit one; inf where none does") \
+  ROW(NORMAL, "normal", 3, "unit shading normal of the first surface in world space; 0 where there is none")       \
+  ROW(TRANSMITTANCE, "transmittance", 3, "of all media between the camera and the first surface")                  \
+  ROW(COST, "cost", 1, "density lookups per sample, shadow rays included")
+
+BRUME_SHARED_BEGIN
+enum Aov {
+#define ROW(id, name, channels, help) AOV_##id,
+  BRUME_AOVS(ROW)
+#undef ROW
+      AOV_COUNT
+};
+
+// Sums over a pixel's samples; the host divides by the counts. `key` sums a hash of what each sample hit and which lights
+// reached it (wrapping): equal keys mean that two renderers saw the same surfaces and shadows.
+typedef struct {
+  Packed3 radiance;
+  float samples;
+  Packed3 normal;
+  float depth;      // sum over the samples that hit
+  Packed3 transmittance;
+  float hits;       // samples that hit a surface
+  float lookups;
+  uint key;
+  float shadow_rays;
+  float pad;
+} FilmPixel;
+BRUME_LAYOUT(FilmPixel, 64);
+BRUME_SHARED_END
+#endif

@@ -1,0 +1,22 @@
+// Everything of a frame that is not a buffer: one per launch, kernels read it as __constant.
+#ifndef BRUME_SHARED_FRAME_H
+#define BRUME_SHARED_FRAME_H
+#include "shared/camera.h"
+#include "shared/platform.h"
+
+BRUME_SHARED_BEGIN
+typedef struct {
+  Camera camera;
+  Packed3 background;
+  int light_count;
+  Packed3 ambient;
+  int shape_count;
+  int medium_count;
+  int material_count;
+  int triangle_count;
+  uint seed;
+  int crop_x0, crop_y0, crop_x1, crop_y1;  // pixels rendered: [x0,x1) x [y0,y1)
+} Frame;
+BRUME_LAYOUT(Frame, 128);
+BRUME_SHARED_END
+#endif

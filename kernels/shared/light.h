@@ -1,0 +1,42 @@
+// Lights without extent. E is the irradiance at normal incidence: intensity/d² (inverse_square), intensity (none) or the
+// irradiance itself (directional).
+#ifndef BRUME_SHARED_LIGHT_H
+#define BRUME_SHARED_LIGHT_H
+#include "shared/platform.h"
+
+#define BRUME_LIGHTS(ROW)                                                                        \
+  ROW(POINT, "point", "position, intensity in W/sr, falloff")                                    \
+  ROW(DIRECTIONAL, "directional", "direction in which the light travels, irradiance in W/m²")    \
+  ROW(SPOT, "spot", "a point light within a cone of half-angle `angle` degrees about direction")
+
+#define BRUME_FALLOFFS(ROW)                                   \
+  ROW(INVERSE_SQUARE, "inverse_square", "E = intensity / d²") \
+  ROW(NONE, "none", "E = intensity at any distance")
+
+BRUME_SHARED_BEGIN
+enum LightType {
+#define ROW(id, name, help) LIGHT_##id,
+  BRUME_LIGHTS(ROW)
+#undef ROW
+      LIGHT_COUNT
+};
+enum Falloff {
+#define ROW(id, name, help) FALLOFF_##id,
+  BRUME_FALLOFFS(ROW)
+#undef ROW
+      FALLOFF_COUNT
+};
+
+typedef struct {
+  Packed3 position;
+  int type;
+  Packed3 direction;  // unit; the direction the light travels
+  int falloff;
+  Packed3 intensity;  // W/sr; W/m² for directional
+  float cos_outer;    // spot: no light where cos(angle to direction) <= cos_outer
+  float cos_inner;    // spot: full light from here on; smoothstep x²(3-2x) in the cosine between the two
+  float pad[3];
+} Light;
+BRUME_LAYOUT(Light, 64);
+BRUME_SHARED_END
+#endif

@@ -1,0 +1,59 @@
+// Surface materials and their textures.
+//   radiance = emission + ambient * scene ambient + Σ lights E (diffuse cosθ / π + specular lobe)   [design §4]
+#ifndef BRUME_SHARED_MATERIAL_H
+#define BRUME_SHARED_MATERIAL_H
+#include "shared/platform.h"
+
+#define BRUME_MATERIALS(ROW)                                                 \
+  ROW(LAMBERT, "lambert", "diffuse only")                                    \
+  ROW(PHONG, "phong", "diffuse and specular (R·V)^shininess")                \
+  ROW(BLINN_PHONG, "blinn_phong", "diffuse and specular (N·H)^shininess")
+
+#define BRUME_TEXTURES(ROW)                                                                          \
+  ROW(IMAGE, "image", "an image file: bilinear, repeated, v = 0 at the bottom row; times diffuse")   \
+  ROW(CHECKER, "checker", "two colors in squares of 1/scale texture units; times diffuse")
+
+BRUME_SHARED_BEGIN
+enum MaterialModel {
+#define ROW(id, name, help) MATERIAL_##id,
+  BRUME_MATERIALS(ROW)
+#undef ROW
+      MATERIAL_COUNT
+};
+enum TextureType {
+#define ROW(id, name, help) TEXTURE_##id,
+  BRUME_TEXTURES(ROW)
+#undef ROW
+      TEXTURE_COUNT
+};
+
+typedef struct {
+  Packed3 diffuse;
+  int model;
+  Packed3 specular;
+  float shininess;
+  Packed3 ambient;
+  int texture;  // index into the textures, -1 for none
+  Packed3 emission;
+  float ior;
+  float reflection;  // weight of the mirrored ray
+  float refraction;  // weight of the transmitted ray
+  float pad[2];
+} Material;
+BRUME_LAYOUT(Material, 80);
+
+// checker: color_a where floor(u scale) + floor(v scale) is even, color_b elsewhere.
+// image: texel (x, row) of linear RGB at texels[3 * (offset + row * width + x)]; row 0 is the BOTTOM row (v = 0).
+typedef struct {
+  int type;
+  int width;
+  int height;
+  uint offset;
+  Packed3 color_a;
+  float scale;
+  Packed3 color_b;
+  float pad;
+} Texture;
+BRUME_LAYOUT(Texture, 48);
+BRUME_SHARED_END
+#endif

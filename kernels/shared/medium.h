@@ -1,0 +1,44 @@
+// A participating medium over a brick grid (design §5).
+// "Cell space": the space in which the DDA walks. Cell c spans [c, c+1) on each axis.
+//   nearest:   cell = voxel; sample c is the value of the whole cell.
+//   trilinear: cell c lies between sample c and sample c+1; the value at cell-space position p blends the 8 samples
+//              floor(p) + {0,1} with weights p - floor(p).
+// Bricks hold BRICK_CELLS³ cells with the BRICK_SAMPLES³ samples that a trilinear lookup of them needs, x fastest.
+#ifndef BRUME_SHARED_MEDIUM_H
+#define BRUME_SHARED_MEDIUM_H
+#include "shared/platform.h"
+
+#define BRICK_CELLS 8
+#define BRICK_SAMPLES 9
+#define BRICK_VALUES (BRICK_SAMPLES * BRICK_SAMPLES * BRICK_SAMPLES)
+#define BRICK_EMPTY (-1)  // entry of a brick whose samples are all zero: not stored
+
+BRUME_SHARED_BEGIN
+enum MediumRegion { REGION_BOX, REGION_SPHERE };  // sphere: the ellipsoid inscribed in [lo, hi]; only for `constant`
+
+// bricks:  ints, entry of brick (bx,by,bz) at brick_offset + (bz*brick_ny + by)*brick_nx + bx: number b of its stored samples,
+//          which begin at voxels[b * BRICK_VALUES], or BRICK_EMPTY. Bricks of one constant value share one stored brick.
+// ranges:  2 floats (min, max of the samples) per brick at the same index.
+typedef struct {
+  Affine cell_from_world;
+  Packed3 lo;         // the medium fills [lo, hi] in cell space
+  int brick_offset;
+  Packed3 hi;
+  int interpolation;
+  Packed3 sigma_a;    // per world unit, times density
+  int phase;
+  Packed3 sigma_s;
+  float g;
+  Packed3 emission;   // reserved for emitting media
+  int region;
+  int cells_x, cells_y, cells_z;     // cells of the grid; cells outside [lo, hi] may exist as padding
+  int brick_nx, brick_ny, brick_nz;  // ceil(cells / BRICK_CELLS)
+  float constant_density;  // where is_constant
+  int is_constant;    // no bricks: the density is constant_density all over the region
+  float step;         // world length of a marching step for this medium
+  int method;         // Method, resolved: never auto
+  float pad[2];
+} Medium;
+BRUME_LAYOUT(Medium, 176);
+BRUME_SHARED_END
+#endif

@@ -1,0 +1,53 @@
+// Shapes: analytic ones in a short list, triangles (single ones and meshes) behind the BVH.
+#ifndef BRUME_SHARED_SHAPE_H
+#define BRUME_SHARED_SHAPE_H
+#include "shared/platform.h"
+
+// The analytic shapes. `triangle` and `mesh` are scene types too; both become Triangles.
+#define BRUME_SHAPES(ROW)                                                                  \
+  ROW(SPHERE, "sphere", "center, radius")                                                  \
+  ROW(CYLINDER, "cylinder", "closed cylinder: centre of the base, centre of the top, radius") \
+  ROW(PLANE, "plane", "unbounded: a point and the normal")                                 \
+  ROW(QUAD, "quad", "parallelogram corner + s u + t v, s and t in [0,1]")                  \
+  ROW(BOX, "box", "min, max, with a transform")
+
+BRUME_SHARED_BEGIN
+enum ShapeType {
+#define ROW(id, name, help) SHAPE_##id,
+  BRUME_SHAPES(ROW)
+#undef ROW
+      SHAPE_COUNT
+};
+
+// data, by type (uv: texture coordinates of the hit)
+//   sphere    0-2 center, 3 radius                       uv: u = atan2(-z, x)/2π mod 1, v = 1 - acos(y)/π of the unit normal
+//   cylinder  0-2 base, 3-5 unit axis, 6 height, 7 radius, 8-10 unit x axis of its frame
+//                                                        uv: side u = azimuth/2π mod 1, v = height fraction; caps ((x+1)/2, (y+1)/2)
+//   plane     0-2 point, 3-5 unit normal, 6-8 unit u axis  uv: (p - point)·u axis, (p - point)·(normal × u axis), in world units
+//   quad      0-2 corner, 3-5 u, 6-8 v                   uv: (s, t)
+//   box       0-11 Affine from world to the unit cube [0,1]³   uv: the face's two remaining coordinates, x before y before z
+typedef struct {
+  int type;
+  int material;
+  float pad[2];
+  float data[12];
+} Shape;
+BRUME_LAYOUT(Shape, 64);
+
+enum TriangleShading { TRIANGLE_FLAT, TRIANGLE_PHONG };
+
+// World-space triangle; the hit is (1-u-v) p0 + u p1 + v p2. Normals are unit; unused for TRIANGLE_FLAT.
+typedef struct {
+  Packed3 p[3];
+  Packed3 n[3];
+  float uv[6];  // u0 v0 u1 v1 u2 v2; zero when the mesh has none
+  int material;
+  int shading;
+} Triangle;
+BRUME_LAYOUT(Triangle, 104);
+
+// A primary key of everything that can be hit: analytic shapes first, triangles from FIRST_TRIANGLE on.
+#define PRIMITIVE_NONE (-1)
+#define FIRST_TRIANGLE (1 << 24)
+BRUME_SHARED_END
+#endif

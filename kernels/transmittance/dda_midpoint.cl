@@ -1,0 +1,10 @@
+// dda_midpoint: one trilinear sample in the middle of each cell's chord.
+#ifndef BRUME_TRANSMITTANCE_DDA_MIDPOINT_CL
+#define BRUME_TRANSMITTANCE_DDA_MIDPOINT_CL
+#include "transmittance/cells.cl"
+
+static inline floatW dda_midpoint_integral(__global const float* voxels, const MediumRay* ray, const Segments* at) {
+  return density_trilinear(voxels, ray, at, lanes_load(at->middle)) * lanes_load(at->size);
+}
+
+#endif

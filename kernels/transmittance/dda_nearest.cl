@@ -1,0 +1,10 @@
+// dda_nearest: the density of a voxel is constant, so density times length is exact.
+#ifndef BRUME_TRANSMITTANCE_DDA_NEAREST_CL
+#define BRUME_TRANSMITTANCE_DDA_NEAREST_CL
+#include "transmittance/cells.cl"
+
+static inline floatW dda_nearest_integral(__global const float* voxels, const MediumRay* ray, const Segments* at) {
+  return density_nearest(voxels, ray, at, lanes_load(at->middle)) * lanes_load(at->size);
+}
+
+#endif

@@ -1,0 +1,20 @@
+// homogeneous: constant density, no bricks. The optical depth is a product; light is sampled at equal steps.
+#ifndef BRUME_TRANSMITTANCE_HOMOGENEOUS_CL
+#define BRUME_TRANSMITTANCE_HOMOGENEOUS_CL
+#include "transmittance/steps.cl"
+
+static inline void homogeneous_fill(Steps* s, Segments* out) {
+  out->count = 0;
+  for (; out->count < W && s->next < s->count; ++s->next)
+    segment_push(out, ((float)s->next + 0.5f) * s->size, s->size, 0, 0, 0, 0);
+}
+
+static inline floatW homogeneous_integral(const Medium* medium, const Segments* at) {
+  return medium->constant_density * lanes_load(at->size);
+}
+
+static inline float homogeneous_total(const Medium* medium, const MediumRay* ray) {
+  return ray->length > 0.0f ? medium->constant_density * ray->length : 0.0f;
+}
+
+#endif

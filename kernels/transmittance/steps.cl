@@ -1,0 +1,39 @@
+// Placement of the marchers: n equal steps over the whole stretch inside the medium; those whose middle lies in an empty brick
+// are skipped without being touched.
+#ifndef BRUME_TRANSMITTANCE_STEPS_CL
+#define BRUME_TRANSMITTANCE_STEPS_CL
+#include "lib/dda.cl"
+
+typedef struct {
+  int next, count;
+  float size;  // world length of a step
+} Steps;
+
+// n = ceil(length / step - 1/1024): the step is renormalised to length / n (ARCHITECTURE, Media).
+static inline Steps steps_begin(const Medium* medium, const MediumRay* ray) {
+  Steps s;
+  s.next = 0;
+  s.count = ray->length > 0.0f ? max(1, (int)ceil(ray->length / medium->step - 0x1p-10f)) : 0;
+  s.size = ray->length / (float)max(s.count, 1);
+  return s;
+}
+
+static inline void steps_fill(const Medium* medium, __global const int* bricks, Dda* d, Steps* s, Segments* out) {
+  out->count = 0;
+  while (out->count < W && s->next < s->count) {
+    const float middle = ((float)s->next + 0.5f) * s->size;
+    if (middle < d->brick_end) {
+      segment_push(out, middle, s->size, d->base, d->x.brick, d->y.brick, d->z.brick);
+      ++s->next;
+      continue;
+    }
+    d->s = d->brick_end;
+    if (!dda_next_brick(medium, bricks, d)) {
+      s->next = s->count;
+    } else {
+      s->next = max(s->next, (int)ceil(d->s / s->size - 0.5f));
+    }
+  }
+}
+
+#endif

@@ -1,0 +1,127 @@
+// Flat scenes made by hand for tests, with numbers that float holds exactly. Not the flattening of scene files.
+#pragma once
+#include <cmath>
+#include <functional>
+#include <glm/vec3.hpp>
+
+#include "flat/flat_scene.hpp"
+#include "shared/method.h"
+#include "shared/phase.h"
+
+namespace brume::test {
+
+inline Packed3 packed(double x, double y, double z) {
+  return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+}
+inline Packed3 packed(const glm::dvec3& v) { return packed(v.x, v.y, v.z); }
+inline Packed3 grey(double v) { return packed(v, v, v); }
+
+inline Affine affine_scale(double s, const glm::dvec3& offset = glm::dvec3(0)) {
+  const float f = static_cast<float>(s);
+  const Packed3 o = packed(offset);
+  return {{f, 0, 0, o.x, 0, f, 0, o.y, 0, 0, f, o.z}};
+}
+
+// An orthographic camera on the +z side that looks down -z at the square [-1,1]² through size x size pixels.
+inline FlatScene scene_empty(int size = 1) {
+  FlatScene scene;
+  Camera& camera = scene.frame.camera;
+  camera = {packed(0, 0, 8), CAMERA_ORTHOGRAPHIC, packed(0, 0, -1), size, packed(1, 0, 0), size, packed(0, 1, 0), 1};
+  scene.frame.crop_x1 = scene.frame.crop_y1 = size;
+  return scene;
+}
+
+inline Material& material_add(FlatScene& scene, double diffuse = 1) {
+  Material material{};
+  material.diffuse = grey(diffuse);
+  material.texture = -1;
+  scene.materials.push_back(material);
+  return scene.materials.back();
+}
+
+// Shapes take material 0, which is made when there is none.
+inline void shape_add(FlatScene& scene, int type, std::initializer_list<double> data) {
+  if (scene.materials.empty()) material_add(scene);
+  Shape shape{};
+  shape.type = type;
+  int i = 0;
+  for (const double x : data) shape.data[i++] = static_cast<float>(x);
+  scene.shapes.push_back(shape);
+}
+
+inline Triangle& triangle_add(FlatScene& scene, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+  if (scene.materials.empty()) material_add(scene);
+  Triangle triangle{};
+  triangle.p[0] = packed(a);
+  triangle.p[1] = packed(b);
+  triangle.p[2] = packed(c);
+  triangle.shading = TRIANGLE_FLAT;
+  scene.triangles.push_back(triangle);
+  return scene.triangles.back();
+}
+
+inline void light_add_directional(FlatScene& scene, const glm::dvec3& direction, double irradiance) {
+  Light light{};
+  light.type = LIGHT_DIRECTIONAL;
+  light.direction = packed(direction);
+  light.intensity = grey(irradiance);
+  scene.lights.push_back(light);
+}
+
+inline Light& light_add_point(FlatScene& scene, const glm::dvec3& position, double intensity) {
+  Light light{};
+  light.type = LIGHT_POINT;
+  light.falloff = FALLOFF_INVERSE_SQUARE;
+  light.position = packed(position);
+  light.intensity = grey(intensity);
+  scene.lights.push_back(light);
+  return scene.lights.back();
+}
+
+// A medium of constant density over [lo, hi] in cell space, which is world space.
+inline Medium& medium_add_constant(FlatScene& scene, const glm::dvec3& lo, const glm::dvec3& hi, double sigma_a,
+                                   double sigma_s, double density = 1) {
+  Medium medium{};
+  medium.cell_from_world = affine_scale(1);
+  medium.lo = packed(lo);
+  medium.hi = packed(hi);
+  medium.sigma_a = grey(sigma_a);
+  medium.sigma_s = grey(sigma_s);
+  medium.phase = PHASE_ISOTROPIC;
+  medium.region = REGION_BOX;
+  medium.constant_density = static_cast<float>(density);
+  medium.is_constant = 1;
+  medium.step = 0.25f;
+  medium.method = METHOD_HOMOGENEOUS;
+  scene.media.push_back(medium);
+  return scene.media.back();
+}
+
+// A grid of cells over [0, cells], cell space being world space. density(sample) is asked for every sample of every
+// brick; a brick of zeros is left out, as in a flat scene.
+inline Medium& medium_add_grid(FlatScene& scene, const glm::ivec3& cells, int interpolation,
+                               const std::function<double(glm::ivec3)>& density, double sigma_a, double sigma_s) {
+  Medium& medium = medium_add_constant(scene, glm::dvec3(0), glm::dvec3(cells), sigma_a, sigma_s);
+  medium.is_constant = 0;
+  medium.interpolation = interpolation;
+  medium.method = interpolation == INTERPOLATION_NEAREST ? METHOD_DDA_NEAREST : METHOD_DDA_GAUSS2;
+  medium.cells_x = cells.x, medium.cells_y = cells.y, medium.cells_z = cells.z;
+  medium.brick_offset = static_cast<int>(scene.bricks.size());
+  const glm::ivec3 n = (cells + BRICK_CELLS - 1) / BRICK_CELLS;
+  medium.brick_nx = n.x, medium.brick_ny = n.y, medium.brick_nz = n.z;
+  for (int b = 0; b < n.x * n.y * n.z; ++b) {
+    const glm::ivec3 first = glm::ivec3(b % n.x, b / n.x % n.y, b / (n.x * n.y)) * BRICK_CELLS;
+    std::vector<float> samples;
+    bool empty = true;
+    for (int i = 0; i < BRICK_VALUES; ++i) {
+      const glm::ivec3 s(i % BRICK_SAMPLES, i / BRICK_SAMPLES % BRICK_SAMPLES, i / (BRICK_SAMPLES * BRICK_SAMPLES));
+      samples.push_back(static_cast<float>(density(first + s)));
+      empty = empty && samples.back() == 0;
+    }
+    scene.bricks.push_back(empty ? BRICK_EMPTY : static_cast<int>(scene.voxels.size() / BRICK_VALUES));
+    if (!empty) scene.voxels.insert(scene.voxels.end(), samples.begin(), samples.end());
+  }
+  return medium;
+}
+
+}  // namespace brume::test

@@ -1,0 +1,114 @@
+#!/usr/bin/env python3
+"""Holds the includes of host/ and kernels/ against the rooms of ARCHITECTURE: who may include whom, and which extension
+may be included from where. Usage: check_includes.py [ROOT]; prints "file:line: what is wrong", exit 1 when anything is."""
+import re
+import sys
+from pathlib import Path
+
+# Room -> rooms it may include beside itself; "shared" is kernels/shared. The same diagram as in CMakeLists.txt.
+HOST = {
+    "base": "",
+    "scene": "base shared",
+    "volume": "base",
+    "mesh": "base",
+    "accel": "base shared",
+    "image": "base",
+    "flat": "base shared scene volume mesh accel image",
+    "cl": "base",
+    "film": "base shared image",
+    "reference": "base shared flat film",
+    "render": "base shared flat film cl",
+    "check": "base shared scene flat film reference render cl",
+    "cli": "base shared scene volume mesh accel image flat cl film reference render check",
+    "": "base cli",  # host/main.cpp
+}
+KERNELS = {
+    "shared": "",
+    "lib": "shared",
+    "shapes": "shared lib",
+    "phase": "shared lib",
+    "transmittance": "shared lib",
+    "passes": "shared lib shapes phase transmittance",
+    "probes": "shared lib shapes phase transmittance",
+}
+# Third-party header -> the rooms that may see it.
+LIBRARIES = {
+    "CL/": "cl",
+    "openvdb/": "volume",
+    "tiny_obj_loader": "mesh",
+    "OpenImageIO/": "image",
+    "CLI/": "cli",
+    "nlohmann/": "base scene check cli",
+}
+GENERATED = {"version.hpp"}
+INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
+
+
+def room_of(path):
+    return path.parts[1] if len(path.parts) > 2 else ""
+
+
+def quoted_error(root, path, included):
+    """What is wrong with `#include "included"` in root/path, or None."""
+    in_kernels = path.parts[0] == "kernels"
+    suffix, room = Path(included).suffix, included.split("/")[0] if "/" in included else ""
+    if included in GENERATED:
+        return None if room_of(path) in ("", "cli") else "only main and cli know the version"
+    allowed = (KERNELS if in_kernels else HOST)[room_of(path)].split() + [room_of(path)]
+    if room not in allowed:
+        return f"{path.parts[0]}/{room_of(path)} may include {', '.join(filter(None, allowed)) or 'nothing'}, not {room or 'the root'}"
+    if suffix not in ((".h", ".cl") if in_kernels else (".h", ".hpp")):
+        return f"{path.parts[0]} does not include {suffix} files"
+    if path.suffix == ".h" and suffix != ".h":
+        return ".h files include .h files only: both languages read them"
+    folder = "kernels" if in_kernels or room == "shared" else "host"
+    return None if (root / folder / included).is_file() else f"there is no {folder}/{included}"
+
+
+def system_error(path, included):
+    """What is wrong with `#include <included>` in path, or None."""
+    if path.parts[0] == "kernels":
+        return None if path.suffix == ".h" and "/" not in included else "kernels include nothing from outside"
+    for prefix, rooms in LIBRARIES.items():
+        if included.startswith(prefix) and room_of(path) not in rooms.split() + [""]:
+            return f"<{prefix}...> belongs to {rooms}"
+    return None
+
+
+def file_errors(root, path):
+    allowed_suffixes = (".h",) if path.parts[:2] == ("kernels", "shared") else (".cl",)
+    if path.parts[0] == "host":
+        allowed_suffixes = (".hpp", ".cpp")
+    if path.suffix not in allowed_suffixes:
+        yield 1, f"{path.parts[0]}/{room_of(path)} holds {' and '.join(allowed_suffixes)} files only"
+        return
+    if room_of(path) not in (HOST if path.parts[0] == "host" else KERNELS):
+        yield 1, f"{path.parts[0]}/{room_of(path)} is no room: add it to tools/check_includes.py and CMakeLists.txt"
+        return
+    for number, line in enumerate((root / path).read_text(encoding="utf-8").splitlines(), 1):
+        match = INCLUDE.match(line)
+        if match:
+            quoted = match[1] == '"'
+            error = quoted_error(root, path, match[2]) if quoted else system_error(path, match[2])
+            if error:
+                yield number, f"{match[2]}: {error}"
+
+
+def tree_errors(root):
+    for folder in ("host", "kernels"):
+        for file in sorted((root / folder).rglob("*")):
+            path = file.relative_to(root)
+            if file.is_file():
+                for number, error in file_errors(root, path):
+                    yield f"{path}:{number}: {error}"
+
+
+def main():
+    root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent.parent)
+    errors = list(tree_errors(root))
+    print("\n".join(errors) if errors else "one way")
+    return 1 if errors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

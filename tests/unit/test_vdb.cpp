@@ -154,7 +154,7 @@ TEST_F(Vdb, RealFiles) {
 }
 
 // A ball about the world's origin made from a signed distance: 1 inside, falling to 0 at radius 1 over 0.305. The distance in
-// the file is itself about 1 % of the radius off along diagonals, hence the tolerance.
+// the file is itself off by up to 1.6 % of the radius, hence the tolerance; half a voxel beside would miss by 0.16.
 TEST_F(Vdb, TheBallIsRound) {
   NEED_DATA(data_path("volumes/oiio_sphere_fog.vdb"));
   const Grid ball = volume_read(data_path("volumes/oiio_sphere_fog.vdb"));
@@ -163,7 +163,7 @@ TEST_F(Vdb, TheBallIsRound) {
     for (i.y = 0; i.y < 25; ++i.y)
       for (i.x = 0; i.x < 25; ++i.x) {
         const double expected = std::clamp((1 - glm::length(world_of(ball, i))) / 0.3052, 0.0, 1.0);
-        ASSERT_NEAR(ball.at(i), expected, 0.05) << i.x << " " << i.y << " " << i.z;
+        ASSERT_NEAR(ball.at(i), expected, 0.06) << i.x << " " << i.y << " " << i.z;
       }
 }
 

@@ -126,7 +126,8 @@ class Builder {
     const Split split = depth < SAH_DEPTH_MAX ? split_find(first, count, centers) : Split{};
     if (split.axis < 0) return count / 2;
     const auto begin = tree_.order.begin() + first;
-    const auto middle = std::stable_partition(begin, begin + count, [&](std::uint32_t i) { return bin_of(i, split.axis, centers) <= split.bin; });
+    const auto middle = std::stable_partition(
+        begin, begin + count, [&](std::uint32_t i) { return bin_of(i, split.axis, centers) <= split.bin; });
     return static_cast<std::uint32_t>(middle - begin);
   }
 

@@ -12,14 +12,15 @@ namespace {
 
 class Collapse {
  public:
-  Collapse(const BinaryBvh& tree, const std::vector<Triangle>& triangles, int width) : tree_(tree), triangles_(triangles), width_(width) {}
+  Collapse(const BinaryBvh& tree, const std::vector<Triangle>& triangles, int width)
+      : tree_(tree), triangles_(triangles), width_(width) {}
 
   FlatBvh run() {
     if (tree_.nodes.empty()) return {};
     node_add(0);
     if (stack_need_ > BVH_STACK)
-      throw RuntimeError("the BVH needs a traversal stack of " + std::to_string(stack_need_) + " entries; allowed are " +
-                         std::to_string(BVH_STACK));
+      throw RuntimeError("the BVH needs a traversal stack of " + std::to_string(stack_need_) +
+                         " entries; allowed are " + std::to_string(BVH_STACK));
     return std::move(out_);
   }
 
@@ -30,7 +31,8 @@ class Collapse {
     while (static_cast<int>(open.size()) < width_) {
       std::size_t largest = open.size();
       for (std::size_t i = 0; i < open.size(); ++i)
-        if (tree_.nodes[open[i]].left >= 0 && (largest == open.size() || tree_.nodes[open[i]].area() > tree_.nodes[open[largest]].area()))
+        if (tree_.nodes[open[i]].left >= 0 &&
+            (largest == open.size() || tree_.nodes[open[i]].area() > tree_.nodes[open[largest]].area()))
           largest = i;
       if (largest == open.size()) break;
       const std::int32_t node = open[largest];
@@ -64,7 +66,8 @@ class Collapse {
   std::int32_t leaf_add(const BinaryNode& leaf) {
     const std::size_t first = out_.ids.size() / width_, count = (leaf.count + width_ - 1) / width_;
     if (first >= (1u << 27) || count > BVH_LEAF_BLOCKS_MAX)
-      throw RuntimeError("the BVH has " + std::to_string(first) + " leaf blocks; allowed are " + std::to_string(1 << 27));
+      throw RuntimeError("the BVH has " + std::to_string(first) + " leaf blocks; allowed are " +
+                         std::to_string(1 << 27));
     out_.ids.resize(out_.ids.size() + count * width_, -1);
     out_.blocks.resize(out_.blocks.size() + count * 9 * width_, 0.0f);
     for (std::uint32_t k = 0; k < leaf.count; ++k) {

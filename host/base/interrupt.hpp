@@ -3,7 +3,7 @@
 
 namespace brume {
 
-void interrupt_install();      // once, from main
+void interrupt_install();  // once, from main
 bool interrupt_requested();
 
 }  // namespace brume

@@ -1,4 +1,7 @@
-// Text → JSON with the refusals that nlohmann's parser leaves to its callers: duplicate keys, depth, numbers beyond double.
+// Text → JSON with the refusals that nlohmann's parser leaves to its callers: duplicate keys, depth, numbers beyond double,
+// texts that are none. Not the reading of values: json_value.cpp.
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "base/error.hpp"
@@ -8,43 +11,93 @@ namespace brume {
 
 namespace {
 
-constexpr std::size_t DEPTH_MAX = 64;
+constexpr int DEPTH_MAX = 64;
+constexpr std::size_t MESSAGE_MAX = 240;
 
-// The parser's "... parse error at line 3, column 7: ..." without its own prefix.
-std::string parse_message(const std::string& what) {
-  const auto begin = what.find("at line");
-  return begin == std::string::npos ? what : what.substr(begin);
+// Walks the text and tells how far the parser has come, because the parser's callback is not told.
+struct Cursor {
+  using iterator_category = std::input_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+  const char* at;
+  const char** reached;
+
+  reference operator*() const { return *at; }
+  Cursor& operator++() {
+    *reached = ++at;
+    return *this;
+  }
+  Cursor operator++(int) {
+    const Cursor before = *this;
+    ++*this;
+    return before;
+  }
+  bool operator==(const Cursor& other) const { return at == other.at; }
+  bool operator!=(const Cursor& other) const { return at != other.at; }
+};
+
+// "line 3, column 7" of the character before `reached`, as the parser counts in its own messages.
+std::string place_text(const char* begin, const char* reached) {
+  if (reached > begin && reached[-1] == '\n') --reached;
+  const char* line = std::find(std::make_reverse_iterator(reached), std::make_reverse_iterator(begin), '\n').base();
+  return "line " + std::to_string(1 + std::count(begin, reached, '\n')) + ", column " + std::to_string(reached - line);
+}
+
+// "[json.exception...] parse error at line 3, column 7: cause" → "line 3, column 7: cause", short and in plain ASCII: the
+// parser quotes the text, which may be anything.
+std::string parse_message(const std::string& what, const std::string& place) {
+  const auto at = what.find("at line ");
+  const auto bracket = what.find("] ");
+  std::string text = at != std::string::npos ? what.substr(at + 3) : place + ": " + what.substr(bracket + 2);
+  // A number at the end of a line is only seen to end in the next one, whose column 0 is nobody's place.
+  if (const auto zero = text.find(", column 0: "); zero != std::string::npos) text = place + text.substr(zero + 10);
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+  if (text.size() > MESSAGE_MAX)
+    text = text.substr(0, MESSAGE_MAX / 2) + "..." + text.substr(text.size() - MESSAGE_MAX / 2);
+  return text;
 }
 
 // Watches the parse: one set of keys per open object.
 class Watch {
  public:
-  explicit Watch(const std::string& file) : file_(file) {}
-
-  bool operator()(int depth, nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
+  void see(int depth, nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
     using Event = nlohmann::json::parse_event_t;
-    if (static_cast<std::size_t>(depth) > DEPTH_MAX)
-      throw InputError(file_ + ": nested deeper than " + std::to_string(DEPTH_MAX) + " levels");
+    const bool opens = event == Event::object_start || event == Event::array_start;
+    if (opens && depth >= DEPTH_MAX) throw InputError("nested deeper than " + std::to_string(DEPTH_MAX) + " levels");
     if (event == Event::object_start) keys_.emplace_back();
     if (event == Event::object_end) keys_.pop_back();
     if (event == Event::key && !keys_.back().insert(parsed.get<std::string>()).second)
-      throw InputError(file_ + ": the key '" + parsed.get<std::string>() + "' stands twice in one object");
-    return true;
+      throw InputError("the key " + text_quote(parsed.get<std::string>()) + " stands twice in one object");
   }
 
  private:
-  std::string file_;
   std::vector<std::set<std::string>> keys_;
 };
 
 }  // namespace
 
 nlohmann::json json_parse(std::string_view text, const std::string& file) {
-  Watch watch(file);
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    throw InputError(file + ": is empty, expected JSON text");
+  if (text.find('\0') != std::string_view::npos)
+    throw InputError(file + ": holds zero bytes, expected JSON text in UTF-8");
+  const char* begin = text.data();
+  const char* reached = begin;
+  Watch watch;
+  const auto see = [&](int depth, nlohmann::json::parse_event_t event, const nlohmann::json& parsed) {
+    watch.see(depth, event, parsed);
+    return true;
+  };
   try {
-    return nlohmann::json::parse(text.begin(), text.end(), std::ref(watch), true, true);
+    const Cursor first{begin, &reached}, last{begin + text.size(), &reached};
+    return nlohmann::json::parse(first, last, see, true, true);
+  } catch (const InputError& error) {
+    throw InputError(file + ": " + place_text(begin, reached) + ": " + error.what());
   } catch (const nlohmann::json::exception& error) {  // out_of_range for 1e400 too
-    throw InputError(file + ": " + parse_message(error.what()));
+    throw InputError(file + ": " + parse_message(error.what(), place_text(begin, reached)));
   }
 }
 

@@ -6,12 +6,15 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "base/typo.hpp"
 
 namespace brume {
 
 namespace {
 
 constexpr double INF = std::numeric_limits<double>::infinity();
+constexpr double FLOAT_MAX = std::numeric_limits<float>::max();
+constexpr std::size_t QUOTE_MAX = 60;  // bytes of the file's own text in a message
 
 std::string number_text(double v) {
   std::string text = nlohmann::json(v).dump();
@@ -19,19 +22,12 @@ std::string number_text(double v) {
   return text;
 }
 
-std::size_t edit_distance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t above = row[j];
-      row[j] = std::min({row[j] + 1, row[j - 1] + 1, diagonal + (a[i - 1] != b[j - 1])});
-      diagonal = above;
-    }
-  }
-  return row[b.size()];
+// At most QUOTE_MAX bytes, not cut within a UTF-8 character.
+std::string text_shorten(std::string text) {
+  if (text.size() <= QUOTE_MAX) return text;
+  std::size_t end = QUOTE_MAX - 3;
+  while (end > 0 && (text[end] & 0xC0) == 0x80) --end;
+  return text.substr(0, end) + "...";
 }
 
 // "~" and "/" in keys as JSON pointers write them.
@@ -43,6 +39,13 @@ std::string pointer_key(const std::string& key) {
 
 }  // namespace
 
+std::string text_quote(const std::string& text) { return "'" + text_shorten(text) + "'"; }
+
+bool Range::holds(double v) const {
+  const auto f = [](double d) { return static_cast<float>(d); };
+  return (lo_open ? f(v) > f(lo) : v >= lo) && (hi_open ? f(v) < f(hi) : v <= hi);
+}
+
 std::string Range::text() const {
   if (lo == -INF && hi == INF) return "";
   if (hi == INF) return (lo_open ? " > " : " >= ") + number_text(lo);
@@ -50,27 +53,34 @@ std::string Range::text() const {
 }
 Range Range::any() { return {-INF, INF, true, true}; }
 Range Range::positive() { return {0, INF, true, true}; }
-Range Range::at_least_0() { return {0, INF, false, true}; }
+Range Range::at_least(double lo) { return {lo, INF, false, true}; }
+Range Range::at_least_0() { return at_least(0); }
 Range Range::closed(double lo, double hi) { return {lo, hi, false, false}; }
 Range Range::open(double lo, double hi) { return {lo, hi, true, true}; }
 
 JsonValue::JsonValue(const nlohmann::json& json, std::string file, std::string place)
-    : json_(&json), file_(std::move(file)), place_(std::move(place)), read_(std::make_shared<std::set<std::string>>()) {}
+    : json_(&json),
+      file_(std::move(file)),
+      place_(std::move(place)),
+      read_(std::make_shared<std::set<std::string>>()) {}
 
+// One line whatever the keys hold: control characters of the file do not reach the terminal.
 void JsonValue::fail(const std::string& cause) const {
-  throw InputError(file_ + ": " + (place_.empty() ? "/" : place_) + ": " + cause);
+  std::string line = file_ + ": " + (place_.empty() ? "/" : place_) + ": " + cause;
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
+  throw InputError(line);
 }
 
 std::string JsonValue::got() const {
-  std::string text = json_->dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-  if (text.size() > 60) text = text.substr(0, 57) + "...";
-  return ", got " + text;
+  return ", got " + text_shorten(json_->dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 double JsonValue::as_number(const Range& range) const {
   if (!json_->is_number()) fail("expected a number" + range.text() + got());
   const double v = json_->get<double>();
-  if (!std::isfinite(v) || !range.holds(v)) fail("expected a number" + range.text() + got());
+  if (!(std::abs(v) <= FLOAT_MAX)) fail("expected a number of at most 3.4e38" + got());
+  if (!range.holds(v)) fail("expected a number" + range.text() + got());
   return v;
 }
 
@@ -103,14 +113,15 @@ glm::dvec3 JsonValue::as_color(const Range& range) const {
 int JsonValue::as_member(const Family& family, const char* what) const {
   const std::string name = as_string();
   const FamilyRow* row = family_find(family, name);
-  if (!row) fail(std::string("unknown ") + what + " '" + name + "'; known: " + family_names(family));
+  if (!row) fail(std::string("unknown ") + what + " " + text_quote(name) + "; known: " + family_names(family));
   return row->id;
 }
 
 std::vector<JsonValue> JsonValue::as_list() const {
   if (!json_->is_array()) fail("expected a list" + got());
   std::vector<JsonValue> items;
-  for (std::size_t i = 0; i < json_->size(); ++i) items.emplace_back((*json_)[i], file_, place_ + "/" + std::to_string(i));
+  for (std::size_t i = 0; i < json_->size(); ++i)
+    items.emplace_back((*json_)[i], file_, place_ + "/" + std::to_string(i));
   return items;
 }
 
@@ -125,7 +136,10 @@ bool JsonValue::has(const std::string& key) const {
 }
 
 JsonValue JsonValue::get(const std::string& key) const {
-  if (!has(key)) fail("the key '" + key + "' is missing");
+  if (!has(key)) {
+    const std::string nearest = key_nearest(key, unread());
+    fail("the key '" + key + "' is missing" + (nearest.empty() ? "" : " (it has " + text_quote(nearest) + ")"));
+  }
   return JsonValue(json_->at(key), file_, place_ + "/" + pointer_key(key));
 }
 
@@ -148,19 +162,22 @@ std::vector<JsonValue> JsonValue::list(const std::string& key) const {
   return has(key) ? get(key).as_list() : std::vector<JsonValue>();
 }
 
+std::vector<std::string> JsonValue::unread() const {
+  std::vector<std::string> keys;
+  for (const auto& item : json_->items())
+    if (!read_->count(item.key())) keys.push_back(item.key());
+  return keys;
+}
+
 void JsonValue::refuse_unread() const {
   expect_object();
-  for (const auto& item : json_->items()) {
-    if (read_->count(item.key())) continue;
-    std::string nearest, known;
-    for (const std::string& key : *read_) {
-      known += (known.empty() ? "" : ", ") + key;
-      if (edit_distance(key, item.key()) <= std::max<std::size_t>(1, key.size() / 3) &&
-          (nearest.empty() || edit_distance(key, item.key()) < edit_distance(nearest, item.key())))
-        nearest = key;
-    }
-    fail("unknown key '" + item.key() + "'" + (nearest.empty() ? "" : " (did you mean '" + nearest + "'?)") + "; known: " + known);
-  }
+  const std::vector<std::string> keys = unread();
+  if (keys.empty()) return;
+  std::string known;
+  for (const std::string& key : *read_) known += (known.empty() ? "" : ", ") + key;
+  const std::string nearest = key_nearest(keys.front(), {read_->begin(), read_->end()});
+  fail("unknown key " + text_quote(keys.front()) + (nearest.empty() ? "" : " (did you mean '" + nearest + "'?)") +
+       "; known: " + known);
 }
 
 }  // namespace brume

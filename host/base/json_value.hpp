@@ -13,21 +13,27 @@
 
 namespace brume {
 
-// A range of numbers; its text is part of the message: "expected a number > 0, got -1".
+// A range of numbers; its text is part of the message: "expected a number > 0, got -1". An open end is compared in float,
+// the precision in which scenes are rendered: g = 0.9999999999 is 1 there and 1e-60 is 0.
 struct Range {
   double lo, hi;
   bool lo_open, hi_open;
-  bool holds(double v) const { return (lo_open ? v > lo : v >= lo) && (hi_open ? v < hi : v <= hi); }
+  bool holds(double v) const;
   std::string text() const;
 
   static Range any();
-  static Range positive();     // > 0
+  static Range positive();  // > 0
+  static Range at_least(double lo);
   static Range at_least_0();
   static Range closed(double lo, double hi);
   static Range open(double lo, double hi);
 };
 
-// Text → JSON: comments allowed, duplicate keys and more than 64 levels refused. Errors name line and column.
+// Text of the user in a message: shortened, in single quotes.
+std::string text_quote(const std::string& text);
+
+// Text → JSON: comments allowed; duplicate keys, more than 64 levels, numbers beyond double, empty and binary texts are
+// refused. Throws InputError "file: line 3, column 7: cause".
 nlohmann::json json_parse(std::string_view text, const std::string& file);
 
 class JsonValue {
@@ -36,20 +42,22 @@ class JsonValue {
 
   const std::string& place() const { return place_; }
   [[noreturn]] void fail(const std::string& cause) const;
+  std::string got() const;  // ", got " this value, shortened: the end of a message
 
-  // The value itself.
+  // The value itself. Numbers beyond the range of float are refused in any range.
   double as_number(const Range& range) const;
   int as_integer(int lo, int hi) const;
   std::string as_string() const;
-  glm::dvec3 as_vec3(const Range& range) const;      // 3 numbers
-  glm::dvec3 as_color(const Range& range) const;     // 3 numbers, or 1 for a grey triple
+  glm::dvec3 as_vec3(const Range& range) const;                 // 3 numbers
+  glm::dvec3 as_color(const Range& range) const;                // 3 numbers, or 1 for a grey triple
   int as_member(const Family& family, const char* what) const;  // a name of the family
   std::vector<JsonValue> as_list() const;
   bool is_string() const { return json_->is_string(); }
   bool is_null() const { return json_->is_null(); }
   const nlohmann::json& json() const { return *json_; }
 
-  // A member of this object. has() and get() mark the key as read; get() fails when it is absent.
+  // A member of this object. has() and get() mark the key as read; get() fails when it is absent. Copies of a JsonValue share
+  // what was read, but two get() of one key do not: read an object through one of them.
   bool has(const std::string& key) const;
   JsonValue get(const std::string& key) const;
   void expect_object() const;
@@ -66,7 +74,7 @@ class JsonValue {
   void refuse_unread() const;
 
  private:
-  std::string got() const;  // this value, shortened, for messages
+  std::vector<std::string> unread() const;
   const nlohmann::json* json_;
   std::string file_, place_;
   std::shared_ptr<std::set<std::string>> read_;

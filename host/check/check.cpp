@@ -60,7 +60,8 @@ cl::Program probe_program(const Context& context, const FlatScene& scene, int la
 
 }  // namespace
 
-std::vector<float> Probe::run(const char* name, const std::vector<float>& in, std::size_t in_stride, std::size_t out_stride) const {
+std::vector<float> Probe::run(const char* name, const std::vector<float>& in, std::size_t in_stride,
+                              std::size_t out_stride) const {
   constexpr std::size_t group = 16;
   const std::size_t count = in.size() / in_stride;
   std::vector<float> out(count * out_stride);
@@ -68,19 +69,23 @@ std::vector<float> Probe::run(const char* name, const std::vector<float>& in, st
     const DeviceScene device_scene(context_, scene_);
     cl::Kernel kernel(probe_program(context_, scene_, lanes_), name);
     cl_uint argument = device_scene.set_arguments(kernel);
-    const cl::Buffer in_buffer = context_.buffer("probe inputs", in), out_buffer = context_.buffer("probe results", out);
+    const cl::Buffer in_buffer = context_.buffer("probe inputs", in),
+                     out_buffer = context_.buffer("probe results", out);
     kernel.setArg(argument++, static_cast<cl_uint>(count));
     kernel.setArg(argument++, in_buffer);
     kernel.setArg(argument++, out_buffer);
-    context_.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((count + group - 1) / group * group), cl::NDRange(group));
+    context_.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((count + group - 1) / group * group),
+                                          cl::NDRange(group));
     context_.queue().enqueueReadBuffer(out_buffer, CL_TRUE, 0, out.size() * sizeof(float), out.data());
   } catch (const cl::Error& error) {
-    throw RuntimeError(context_.device().title() + ": " + name + ": " + error.what() + " failed: " + cl_error_name(error.err()));
+    throw RuntimeError(context_.device().title() + ": " + name + ": " + error.what() +
+                       " failed: " + cl_error_name(error.err()));
   }
   return out;
 }
 
-std::vector<CheckRow> check_run(Context& context, const CheckOptions& options, const std::function<void(const CheckRow&)>& report) {
+std::vector<CheckRow> check_run(Context& context, const CheckOptions& options,
+                                const std::function<void(const CheckRow&)>& report) {
   std::vector<CheckRow> rows;
   const auto take = [&](const std::vector<CheckRow>& found) {
     for (const CheckRow& row : found) {
@@ -97,7 +102,8 @@ std::vector<CheckRow> check_run(Context& context, const CheckOptions& options, c
     for (const int lanes : options.lanes) take(check.run(context, lanes, options.size * options.size));
   }
   for (const std::string& scene : check_scene_names())
-    if (("image/" + scene).find(options.filter) != std::string::npos) take(check_image(context, scene, options.size, options.lanes));
+    if (("image/" + scene).find(options.filter) != std::string::npos)
+      take(check_image(context, scene, options.size, options.lanes));
   return rows;
 }
 

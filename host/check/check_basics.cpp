@@ -44,10 +44,10 @@ void add3(ErrorSum& sum, const float* kernel, const dvec3& reference) {
 
 std::vector<CheckRow> check_layout(Context& context, int lanes, int) {
   const FlatScene scene = check_scene("surfaces", 8, std::max(lanes, 4));
-  const std::vector<std::size_t> sizes{sizeof(Packed3),  sizeof(Affine),  sizeof(Camera), sizeof(Frame),
-                                       sizeof(Light),    sizeof(Material), sizeof(Texture), sizeof(Shape),
-                                       sizeof(Triangle), sizeof(Medium),  sizeof(Ray),    sizeof(Hit),
-                                       sizeof(MediumResult), sizeof(LightArrival), sizeof(Sample), sizeof(FilmPixel)};
+  const std::vector<std::size_t> sizes{sizeof(Packed3),      sizeof(Affine),       sizeof(Camera),  sizeof(Frame),
+                                       sizeof(Light),        sizeof(Material),     sizeof(Texture), sizeof(Shape),
+                                       sizeof(Triangle),     sizeof(Medium),       sizeof(Ray),     sizeof(Hit),
+                                       sizeof(MediumResult), sizeof(LightArrival), sizeof(Sample),  sizeof(FilmPixel)};
   const std::vector<float> found = Probe(context, scene, lanes).run("probe_layout", {0}, 1, sizes.size());
   ErrorSum sum("layout", lanes, "layout");
   for (std::size_t i = 0; i < sizes.size(); ++i) sum.add(found[i], static_cast<double>(sizes[i]));
@@ -76,7 +76,8 @@ std::vector<CheckRow> check_camera(Context& context, int lanes, int items) {
       in.push_back(bits_as_float(i % camera.spp));
     }
     const std::vector<float> found = Probe(context, scene, lanes).run("probe_camera", in, 2, 6);
-    ErrorSum sum(std::string("camera/") + (camera.type == CAMERA_PERSPECTIVE ? "perspective" : "orthographic"), lanes, "camera");
+    ErrorSum sum(std::string("camera/") + (camera.type == CAMERA_PERSPECTIVE ? "perspective" : "orthographic"), lanes,
+                 "camera");
     for (int i = 0; i < items; ++i) {
       const int pixel = i * 37 % (camera.width * camera.height), sample = i % camera.spp;
       const auto u = [&](uint dimension) { return reference::rng_uniform(pixel, sample, dimension, scene.frame.seed); };
@@ -101,7 +102,8 @@ std::vector<CheckRow> check_phase(Context& context, int lanes, int items) {
     for (int i = 0; i < items; ++i) {
       const dvec3 before = random.direction();
       // half of the directions close to straight on or straight back, where the lobe is
-      const dvec3 after = i % 2 ? random.direction() : dvec3(glm::vec3(glm::normalize((i % 4 ? 1.0 : -1.0) * before + random.in_box(0.1))));
+      const dvec3 after = i % 2 ? random.direction()
+                                : dvec3(glm::vec3(glm::normalize((i % 4 ? 1.0 : -1.0) * before + random.in_box(0.1))));
       in.push_back(bits_as_float(phase));
       in.push_back(static_cast<float>(g));
       push(in, before);
@@ -154,7 +156,8 @@ std::vector<CheckRow> check_texture(Context& context, int lanes, int items) {
     const bool image = scene.textures[texture].type == TEXTURE_IMAGE;
     ErrorSum sum(image ? "texture/image" : "texture/checker", lanes, "texture");
     for (int i = 0; i < items; ++i)
-      add3(sum, &found[4 * i], reference::texture_lookup(scene, static_cast<int>(texture), {in[3 * i + 1], in[3 * i + 2]}));
+      add3(sum, &found[4 * i],
+           reference::texture_lookup(scene, static_cast<int>(texture), {in[3 * i + 1], in[3 * i + 2]}));
     rows.push_back(sum.row());
   }
   return rows;
@@ -162,8 +165,8 @@ std::vector<CheckRow> check_texture(Context& context, int lanes, int items) {
 
 const std::vector<FunctionCheckRow>& function_checks() {
   static const std::vector<FunctionCheckRow> rows{
-      {"layout", check_layout},   {"rng", check_rng},         {"camera", check_camera},   {"phase", check_phase},
-      {"light", check_light},     {"texture", check_texture}, {"surfaces", check_surfaces}, {"media", check_media}};
+      {"layout", check_layout}, {"rng", check_rng},         {"camera", check_camera},     {"phase", check_phase},
+      {"light", check_light},   {"texture", check_texture}, {"surfaces", check_surfaces}, {"media", check_media}};
   return rows;
 }
 

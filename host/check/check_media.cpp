@@ -65,7 +65,8 @@ CheckRow check_cells(const Probe& probe, const std::string& name, const MediumRa
 
 CheckRow check_integral(const Probe& probe, const std::string& name, const MediumRays& rays, int method) {
   const std::vector<float> found = probe.run("probe_integral", rays.packed, 8, 1);
-  ErrorSum sum("integral/" + name, probe.lanes(), "integral");
+  const bool dda = method == METHOD_DDA_NEAREST || method == METHOD_DDA_GAUSS2 || method == METHOD_DDA_MIDPOINT;
+  ErrorSum sum("integral/" + name, probe.lanes(), dda ? "integral" : "grazing");
   for (std::size_t i = 0; i < rays.rays.size(); ++i)
     sum.add(found[i], reference::optical_depth(probe.scene(), 0, rays.rays[i], rays.ends[i], method));
   return sum.row();

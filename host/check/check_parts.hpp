@@ -38,7 +38,7 @@ std::vector<CheckRow> check_media(Context&, int lanes, int items);
 class CheckRandom {
  public:
   double uniform(double lo, double hi);
-  dvec3 in_box(double half) ;
+  dvec3 in_box(double half);
   dvec3 direction();  // unit, as float rounds it
 
  private:

@@ -115,7 +115,7 @@ void torus_triangles(Visit visit) {
 }
 
 void torus_add(SceneDesc& desc) {
-  torus_triangles([&](int i, int j, const int (&corners)[3][2]) {
+  torus_triangles([&](int i, int j, const int(&corners)[3][2]) {
     TriangleDesc t;
     for (int k = 0; k < 3; ++k) t.vertices[k] = torus_point(i + corners[k][0], j + corners[k][1]);
     desc.shapes.push_back({t, 0, "/shapes"});
@@ -125,7 +125,7 @@ void torus_add(SceneDesc& desc) {
 // Smooth normals for three quarters of the torus; the rest stays flat.
 void torus_smooth(FlatScene& scene) {
   std::size_t index = 0;
-  torus_triangles([&](int i, int j, const int (&corners)[3][2]) {
+  torus_triangles([&](int i, int j, const int(&corners)[3][2]) {
     Triangle& t = scene.triangles[index++];
     if (4 * i < TORUS_AROUND) return;
     t.shading = TRIANGLE_PHONG;

@@ -64,7 +64,8 @@ CheckRow check_hits(const Probe& probe, const std::string& name, const Rays& ray
 
 CheckRow check_occlusion(const Probe& probe, const std::string& name, Rays rays) {
   CheckRandom random;
-  for (std::size_t i = 0; i < rays.rays.size(); ++i) rays.packed[7 * i + 6] = static_cast<float>(random.uniform(0.1, 5));
+  for (std::size_t i = 0; i < rays.rays.size(); ++i)
+    rays.packed[7 * i + 6] = static_cast<float>(random.uniform(0.1, 5));
   const std::vector<float> found = probe.run("probe_occluded", rays.packed, 7, 1);
   ErrorSum sum("occluded/" + name, probe.lanes(), "hit");
   const reference::TriangleBounds bounds(probe.scene());
@@ -90,7 +91,8 @@ CheckRow check_surface(const Probe& probe, const std::string& name, const Rays& 
     if (float_as_bits(hit[1]) == PRIMITIVE_NONE) continue;
     in.insert(in.end(), rays.packed.begin() + 7 * i, rays.packed.begin() + 7 * i + 6);
     in.insert(in.end(), hit, hit + 4);
-    expected.push_back(reference::surface_at(probe.scene(), rays.rays[i], {hit[0], float_as_bits(hit[1]), hit[2], hit[3]}));
+    expected.push_back(
+        reference::surface_at(probe.scene(), rays.rays[i], {hit[0], float_as_bits(hit[1]), hit[2], hit[3]}));
   }
   const std::vector<float> found = probe.run("probe_surface", in, 10, 8);
   ErrorSum sum("surface/" + name, probe.lanes(), "surface");

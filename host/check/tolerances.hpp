@@ -21,9 +21,13 @@ inline constexpr Tolerance TOLERANCES[] = {
     {"hit", 1e-5, 1, "t of a quadratic or an affine map: some 50 ulp of the scene's size"},
     {"surface", 2e-4, 1, "normal and uv at a point that carries the error of t; uv of a sphere near its poles"},
     {"texture", 1e-5, 0.1, "weights carry the error of uv times the texture's size: 32 texels"},
-    {"light", 2e-5, 0.1, "a length, a division, a square; at a spot's soft edge the cosine's ulp over the width of the edge"},
+    {"light", 2e-5, 0.1,
+     "a length, a division, a square; at a spot's soft edge the cosine's ulp over the width of the edge"},
     {"cells", 1e-4, 1, "summed over up to 80 cells: each crossing carries 3 ulp of t, and t is up to 5"},
-    {"integral", 2e-6, 0.25, "both ends of the chord carry 1 ulp of t, which is up to 5; then a sum of up to 80 segments of 4 roundings each"},
+    {"integral", 2e-6, 0.25,
+     "both ends of the chord carry 1 ulp of t, which is up to 5; then a sum of up to 80 segments of 4 roundings each"},
+    {"grazing", 3e-5, 0.25,
+     "as integral, for a rotated box and a sphere: a ray almost along a face or tangent has its ends magnified"},
     {"image", 1e-4, 1e-2, "1e-4 relative + 1e-6 absolute at every pixel that sees the same surfaces and shadows"},
 };
 

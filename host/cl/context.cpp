@@ -46,20 +46,20 @@ Context::Context(const DeviceInfo& device)
 cl::Buffer Context::buffer(const char* what, std::size_t bytes, const void* data) {
   const std::size_t size = std::max<std::size_t>(bytes, 16);
   if (size > device_.max_buffer_bytes)
-    throw RuntimeError(std::string(what) + " need one buffer of " + megabytes(size) + "; " + device_.title() + " allows " +
-                       megabytes(device_.max_buffer_bytes));
+    throw RuntimeError(std::string(what) + " need one buffer of " + megabytes(size) + "; " + device_.title() +
+                       " allows " + megabytes(device_.max_buffer_bytes));
   const auto allowed = static_cast<std::size_t>(MEMORY_SHARE * static_cast<double>(device_.memory_bytes));
   if (allocated_ + size > allowed)
-    throw RuntimeError(std::string(what) + " bring the scene to " + megabytes(allocated_ + size) + "; " + device_.title() +
-                       " has room for " + megabytes(allowed));
+    throw RuntimeError(std::string(what) + " bring the scene to " + megabytes(allocated_ + size) + "; " +
+                       device_.title() + " has room for " + megabytes(allowed));
   try {
     cl::Buffer result(context_, CL_MEM_READ_WRITE, size);
     if (bytes > 0 && data != nullptr) queue_.enqueueWriteBuffer(result, CL_TRUE, 0, bytes, data);
     allocated_ += size;
     return result;
   } catch (const cl::Error& error) {
-    throw RuntimeError(std::string(what) + ": allocating " + megabytes(size) + " on " + device_.title() + " failed: " +
-                       cl_error_name(error.err()));
+    throw RuntimeError(std::string(what) + ": allocating " + megabytes(size) + " on " + device_.title() +
+                       " failed: " + cl_error_name(error.err()));
   }
 }
 

@@ -71,14 +71,16 @@ DeviceInfo device_choose(const std::string& wanted) {
   const std::vector<DeviceInfo> devices = device_list();
   if (devices.empty())
     throw RuntimeError(
-        "no OpenCL device found: install one (Debian: pocl-opencl-icd), check OCL_ICD_VENDORS, and that POCL_CACHE_DIR or "
+        "no OpenCL device found: install one (Debian: pocl-opencl-icd), check OCL_ICD_VENDORS, and that POCL_CACHE_DIR "
+        "or "
         "~/.cache is writable");
   const std::string text = wanted.empty() ? "portable computing language" : wanted;
   for (const DeviceInfo& info : devices)
     if (device_matches(info, text)) return info;
   if (wanted.empty()) return devices.front();
   std::string known;
-  for (const DeviceInfo& info : devices) known += (known.empty() ? "" : "; ") + std::to_string(info.index) + " " + info.title();
+  for (const DeviceInfo& info : devices)
+    known += (known.empty() ? "" : "; ") + std::to_string(info.index) + " " + info.title();
   throw InputError("--device: no device matches '" + wanted + "'; known: " + known);
 }
 

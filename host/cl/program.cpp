@@ -64,9 +64,9 @@ cl::Program program_build(const Context& context, const std::string& source, con
     program.build({context.device().device}, ("-cl-std=CL1.2 -w " + options).c_str());
   } catch (const cl::Error& error) {
     const std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(context.device().device);
-    throw RuntimeError("kernel build failed on " + context.device().title() + ", driver " + context.device().driver + ": " +
-                       cl_error_name(error.err()) + "\n" + log + "\noptions: " + options +
-                       "\nsource kept in " + source_keep(source));
+    throw RuntimeError("kernel build failed on " + context.device().title() + ", driver " + context.device().driver +
+                       ": " + cl_error_name(error.err()) + "\n" + log + "\noptions: " + options + "\nsource kept in " +
+                       source_keep(source));
   }
   return program;
 }

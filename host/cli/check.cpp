@@ -21,15 +21,16 @@ struct CheckArguments {
 };
 
 void print_row(const CheckRow& row) {
-  std::printf("%-4s %-34s %5d %8zu %6zu  %9.2e  %9.2e  %7.0e\n", row.passed() ? "ok" : "MISS", row.name.c_str(), row.lanes, row.items,
-              row.edges, row.max_error, row.mean_error, row.allowed.limit);
+  std::printf("%-4s %-34s %5d %8zu %6zu  %9.2e  %9.2e  %7.0e\n", row.passed() ? "ok" : "MISS", row.name.c_str(),
+              row.lanes, row.items, row.edges, row.max_error, row.mean_error, row.allowed.limit);
   std::fflush(stdout);
 }
 
 void print_reasons() {
   std::printf("\nerror = |kernel - reference| / (|reference| + floor)\n");
   for (const Tolerance& t : TOLERANCES)
-    std::printf("  %-9.*s %7.0e, floor %-5g %.*s\n", int(t.name.size()), t.name.data(), t.limit, t.floor, int(t.reason.size()), t.reason.data());
+    std::printf("  %-9.*s %7.0e, floor %-5g %.*s\n", int(t.name.size()), t.name.data(), t.limit, t.floor,
+                int(t.reason.size()), t.reason.data());
   std::printf("  edges: pixels or rays that see another surface or shadow; allowed %g of a row\n", EDGE_SHARE);
 }
 
@@ -71,7 +72,9 @@ void command_check(CLI::App& app, Command& run) {
   CLI::App* command = app.add_subcommand("check", "Compare the kernels on a device with the scalar reference");
   auto arguments = std::make_shared<CheckArguments>();
   command->add_option("--device", arguments->device, "Index or part of the name of an OpenCL device");
-  command->add_option("--lanes", arguments->lanes, "Only these lane widths")->check(CLI::IsMember({1, 4, 8, 16}))->delimiter(',');
+  command->add_option("--lanes", arguments->lanes, "Only these lane widths")
+      ->check(CLI::IsMember({1, 4, 8, 16}))
+      ->delimiter(',');
   command->add_option("--size", arguments->options.size, "Pixels per side of the pictures")->check(CLI::Range(4, 1024));
   command->add_option("--filter", arguments->options.filter, "Only checks whose name contains this");
   command->add_option("--json", arguments->json, "Write the table as JSON");

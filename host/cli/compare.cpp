@@ -62,7 +62,8 @@ void command_compare(CLI::App& app, Command& run) {
   auto arguments = std::make_shared<CompareArguments>();
   command->add_option("a", arguments->a, "Image")->required();
   command->add_option("b", arguments->b, "Reference image")->required();
-  command->add_option("-o,--output", arguments->difference, "Write the absolute difference, scaled to its maximum (.png, .jpg)");
+  command->add_option("-o,--output", arguments->difference,
+                      "Write the absolute difference, scaled to its maximum (.png, .jpg)");
   command->add_option("--layer", arguments->layer, "Compare this EXR layer instead of R, G, B");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->add_option("--fail-above", arguments->fail_above, "Exit 1 when rel_rmse is above this, or anything is NaN")

@@ -34,9 +34,12 @@ int devices_run(bool json) {
   for (const DeviceInfo& d : devices) {
     all.push_back(device_json(d, d.index == chosen));
     if (json) continue;
-    std::printf("%c %d  %s\n     %s, %s, driver %s\n     %d units, float width %d, lanes %d, %.1f GiB, buffers up to %.1f GiB\n",
-                d.index == chosen ? '*' : ' ', d.index, d.name.c_str(), d.platform.c_str(), d.version.c_str(), d.driver.c_str(),
-                d.compute_units, d.float_width, d.lanes(), double(d.memory_bytes) / (1 << 30), double(d.max_buffer_bytes) / (1 << 30));
+    std::printf(
+        "%c %d  %s\n     %s, %s, driver %s\n     %d units, float width %d, lanes %d, %.1f GiB, buffers up to %.1f "
+        "GiB\n",
+        d.index == chosen ? '*' : ' ', d.index, d.name.c_str(), d.platform.c_str(), d.version.c_str(), d.driver.c_str(),
+        d.compute_units, d.float_width, d.lanes(), double(d.memory_bytes) / (1 << 30),
+        double(d.max_buffer_bytes) / (1 << 30));
   }
   if (json) std::printf("%s\n", all.dump(2).c_str());
   return 0;

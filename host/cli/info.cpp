@@ -46,8 +46,10 @@ Json info_volume(const Path& file) {
               {"index_min", triple(g.index_min)},
               {"index_max", triple(g.index_max)},
               {"voxel_size", triple(g.voxel_size)}};
-    if (g.refusal.empty()) grid["density"] = grid_details(file, g.name);
-    else grid["no_density_because"] = g.refusal;
+    if (g.refusal.empty())
+      grid["density"] = grid_details(file, g.name);
+    else
+      grid["no_density_because"] = g.refusal;
     grids.push_back(grid);
   }
   return {{"file", file.string()}, {"kind", "volume"}, {"grids", grids}};
@@ -62,9 +64,16 @@ Json info_mesh(const Path& file) {
   }
   Json materials = Json::array();
   for (const MeshMaterial& m : mesh.materials) materials.push_back({{"name", m.name}, {"texture", m.texture.string()}});
-  return {{"file", file.string()}, {"kind", "mesh"}, {"triangles", mesh.triangles.size()}, {"vertices", mesh.positions.size()},
-          {"normals", mesh.normals.size()}, {"texture_coordinates", mesh.uvs.size()}, {"min", triple(lo)}, {"max", triple(hi)},
-          {"materials", materials}, {"notes", mesh.notes}};
+  return {{"file", file.string()},
+          {"kind", "mesh"},
+          {"triangles", mesh.triangles.size()},
+          {"vertices", mesh.positions.size()},
+          {"normals", mesh.normals.size()},
+          {"texture_coordinates", mesh.uvs.size()},
+          {"min", triple(lo)},
+          {"max", triple(hi)},
+          {"materials", materials},
+          {"notes", mesh.notes}};
 }
 
 Json medium_info(const FlatScene& flat, const Medium& m) {
@@ -75,8 +84,10 @@ Json medium_info(const FlatScene& flat, const Medium& m) {
     constant += flat.bricks[i] != BRICK_EMPTY && flat.brick_ranges[2 * i] == flat.brick_ranges[2 * i + 1];
     stored += flat.bricks[i] != BRICK_EMPTY;
   }
-  return {{"method", family_name(method_family(), m.method)}, {"interpolation", family_name(interpolation_family(), m.interpolation)},
-          {"cells", {m.cells_x, m.cells_y, m.cells_z}}, {"step", m.step},
+  return {{"method", family_name(method_family(), m.method)},
+          {"interpolation", family_name(interpolation_family(), m.interpolation)},
+          {"cells", {m.cells_x, m.cells_y, m.cells_z}},
+          {"step", m.step},
           {"bricks", {{"all", count}, {"stored", stored}, {"empty", empty}, {"constant", constant}}}};
 }
 
@@ -85,12 +96,22 @@ Json info_scene(const Path& file) {
   const FlatScene flat = flatten(desc, {});
   Json media = Json::array();
   for (const Medium& m : flat.media) media.push_back(medium_info(flat, m));
-  return {{"file", file.string()}, {"kind", "scene"}, {"size", {desc.film.size.x, desc.film.size.y}}, {"spp", desc.film.spp},
-          {"lights", flat.lights.size()}, {"materials", desc.materials.size()}, {"textures", flat.textures.size()},
-          {"shapes", flat.shapes.size()}, {"triangles", flat.triangles.size()}, {"media", media},
-          {"bytes", {{"voxels", flat.voxels.size() * sizeof(float)}, {"brick_index", flat.bricks.size() * sizeof(std::int32_t)},
-                     {"textures", flat.texels.size() * sizeof(float)}, {"triangles", flat.triangles.size() * sizeof(Triangle)},
-                     {"bvh", (flat.bvh_nodes.size() + flat.bvh_blocks.size()) * sizeof(float)}}},
+  return {{"file", file.string()},
+          {"kind", "scene"},
+          {"size", {desc.film.size.x, desc.film.size.y}},
+          {"spp", desc.film.spp},
+          {"lights", flat.lights.size()},
+          {"materials", desc.materials.size()},
+          {"textures", flat.textures.size()},
+          {"shapes", flat.shapes.size()},
+          {"triangles", flat.triangles.size()},
+          {"media", media},
+          {"bytes",
+           {{"voxels", flat.voxels.size() * sizeof(float)},
+            {"brick_index", flat.bricks.size() * sizeof(std::int32_t)},
+            {"textures", flat.texels.size() * sizeof(float)},
+            {"triangles", flat.triangles.size() * sizeof(Triangle)},
+            {"bvh", (flat.bvh_nodes.size() + flat.bvh_blocks.size()) * sizeof(float)}}},
           {"notes", flat.notes}};
 }
 
@@ -116,8 +137,10 @@ int info_run(const Path& file, bool json) {
     known += (known.empty() ? "" : ", ") + std::string(row.extension);
     if (file.extension() != row.extension) continue;
     const Json info = row.describe(file);
-    if (json) std::printf("%s\n", info.dump(2).c_str());
-    else print_plain(info, 0);
+    if (json)
+      std::printf("%s\n", info.dump(2).c_str());
+    else
+      print_plain(info, 0);
     return 0;
   }
   throw InputError(file.string() + ": unknown kind of file '" + file.extension().string() + "'; known: " + known);

@@ -56,7 +56,8 @@ int render_run(RenderArguments arguments) {
   for (const std::filesystem::path& output : arguments.outputs) image_check_writable(output);
   if (!arguments.stats.empty()) AtomicFile(arguments.stats);
   const SceneDesc desc = describe(arguments);
-  if (!arguments.save_scene.empty()) atomic_write(arguments.save_scene, scene_write(desc, arguments.save_scene.parent_path()));
+  if (!arguments.save_scene.empty())
+    atomic_write(arguments.save_scene, scene_write(desc, arguments.save_scene.parent_path()));
 
   const DeviceInfo device = device_choose(arguments.device);
   const int lanes = lanes_choose(device, arguments.lanes);
@@ -78,7 +79,8 @@ int render_run(RenderArguments arguments) {
   }
   write_outputs(arguments, desc, flat, film, context, renderer.stats());
   times.total_s = total.seconds();
-  if (!arguments.stats.empty()) atomic_write(arguments.stats, render_stats_json(desc, flat, device, renderer.stats(), times));
+  if (!arguments.stats.empty())
+    atomic_write(arguments.stats, render_stats_json(desc, flat, device, renderer.stats(), times));
   say(arguments, render_summary(desc, flat, device, renderer.stats(), times));
   if (!complete) throw Interrupted("interrupted; what was done has been written");
   return 0;

@@ -6,8 +6,8 @@
 #include <sstream>
 
 #include "base/error.hpp"
-#include "film/film_display.hpp"
 #include "film/film.hpp"
+#include "film/film_display.hpp"
 #include "scene/families.hpp"
 
 namespace brume {
@@ -24,7 +24,8 @@ std::array<int, N> integers(const std::string& option, const std::string& text, 
     if ((i > 0 && (!in.get(found) || found != separator)) || !(in >> values[i]))
       throw InputError(option + ": expected " + expected + ", got '" + text + "'");
   }
-  if (in.peek() != std::istringstream::traits_type::eof()) throw InputError(option + ": expected " + expected + ", got '" + text + "'");
+  if (in.peek() != std::istringstream::traits_type::eof())
+    throw InputError(option + ": expected " + expected + ", got '" + text + "'");
   return values;
 }
 
@@ -38,7 +39,8 @@ std::string number(double value) {
 
 void RenderArguments::add_options(CLI::App& command) {
   command.add_option("scene", scene, "Scene (.json), volume (.vdb) or mesh (.obj)")->required();
-  command.add_option("-o,--output", outputs, "Picture: .exr linear float with AOVs; .png, .jpg for display. Repeatable; default NAME.png");
+  command.add_option("-o,--output", outputs,
+                     "Picture: .exr linear float with AOVs; .png, .jpg for display. Repeatable; default NAME.png");
   command.add_option("--size", size, "Film size WxH in pixels");
   command.add_option("--spp", spp, "Samples per pixel");
   command.add_option("--seed", seed, "Seed of the random numbers");
@@ -50,7 +52,8 @@ void RenderArguments::add_options(CLI::App& command) {
   command.add_option("--step", step, "Marching step as a share of the medium's longest side");
   command.add_option("--shadow", shadow, "Light inside media: trace");
   command.add_option("--max-error", max_error, "Accuracy to reach (not available yet)");
-  command.add_option("--lanes", lanes, "SIMD lanes inside a work-item; default by device")->check(CLI::IsMember({1, 4, 8, 16}));
+  command.add_option("--lanes", lanes, "SIMD lanes inside a work-item; default by device")
+      ->check(CLI::IsMember({1, 4, 8, 16}));
   command.add_flag("--generic", generic, "Kernels with every feature, not only those of the scene");
   command.add_option("--set", overrides, "/json/pointer=VALUE: override a value of the scene. Repeatable");
   command.add_option("--save-scene", save_scene, "Write the scene that was rendered, to go on from");
@@ -81,7 +84,8 @@ std::vector<std::string> RenderArguments::all_overrides() const {
 std::array<int, 4> RenderArguments::crop_box() const {
   if (crop.empty()) return {};
   const auto box = integers<4>("--crop", crop, ',', "X0,Y0,X1,Y1");
-  if (box[0] >= box[2] || box[1] >= box[3]) throw InputError("--crop: expected X0 < X1 and Y0 < Y1, got '" + crop + "'");
+  if (box[0] >= box[2] || box[1] >= box[3])
+    throw InputError("--crop: expected X0 < X1 and Y0 < Y1, got '" + crop + "'");
   return box;
 }
 

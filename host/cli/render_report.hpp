@@ -15,10 +15,11 @@ struct RunTimes {
   double total_s = 0;  // process start to last file written
 };
 
-std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device, const RenderStats& stats,
-                              const RunTimes& times);
-ImageMetadata render_metadata(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device, const RenderStats& stats);
-std::string render_summary(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device, const RenderStats& stats,
-                           const RunTimes& times);
+std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
+                              const RenderStats& stats, const RunTimes& times);
+ImageMetadata render_metadata(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
+                              const RenderStats& stats);
+std::string render_summary(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
+                           const RenderStats& stats, const RunTimes& times);
 
 }  // namespace brume

@@ -7,6 +7,7 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "base/error.hpp"
 #include "flat/bounds.hpp"
 #include "flat/transform.hpp"
 #include "mesh/mesh.hpp"
@@ -16,9 +17,9 @@ namespace brume {
 
 namespace {
 
-constexpr double VFOV = 35;             // degrees
-constexpr double DENSEST_VIEW = 4;      // τ of the densest line of sight
-constexpr double ALBEDO = 0.9;          // pale smoke
+constexpr double VFOV = 35;         // degrees
+constexpr double DENSEST_VIEW = 4;  // τ of the densest line of sight
+constexpr double ALBEDO = 0.9;      // pale smoke
 const dvec3 TOWARDS_CAMERA = glm::normalize(dvec3(0.35, 0.2, 1.0));
 
 // Looks at the middle of the bounds from the front, a little right and above, so that their sphere just fits.
@@ -47,12 +48,14 @@ Bounds grid_bounds(const Grid& grid, const GridStats& stats) {
   Bounds bounds;
   const dvec3 lo(stats.nonzero_min), hi(stats.nonzero_max + 1);
   for (int c = 0; c < 8; ++c)
-    bounds.add(transform_point(grid.world_from_lattice, dvec3(c & 1 ? hi.x : lo.x, c & 2 ? hi.y : lo.y, c & 4 ? hi.z : lo.z)));
+    bounds.add(
+        transform_point(grid.world_from_lattice, dvec3(c & 1 ? hi.x : lo.x, c & 2 ? hi.y : lo.y, c & 4 ? hi.z : lo.z)));
   return bounds;
 }
 
 // ∫ρ dt along one line through the grid, nearest samples every half voxel. A line as long as the bounds' diagonal, about `middle`.
-double line_integral(const Grid& grid, const dmat4& lattice_from_world, const dvec3& middle, const dvec3& dir, double length) {
+double line_integral(const Grid& grid, const dmat4& lattice_from_world, const dvec3& middle, const dvec3& dir,
+                     double length) {
   const dvec3 m = transform_point(lattice_from_world, middle), d = transform_dir(lattice_from_world, dir);
   const int steps = static_cast<int>(std::ceil(2 * length * glm::length(d)));
   double sum = 0;
@@ -82,7 +85,8 @@ double densest_line(const Grid& grid, const Bounds& bounds, const dvec3& forward
 
 std::string box_text(const Bounds& b) {
   char text[160];
-  std::snprintf(text, sizeof text, "[%.4g, %.4g, %.4g] to [%.4g, %.4g, %.4g]", b.lo.x, b.lo.y, b.lo.z, b.hi.x, b.hi.y, b.hi.z);
+  std::snprintf(text, sizeof text, "[%.4g, %.4g, %.4g] to [%.4g, %.4g, %.4g]", b.lo.x, b.lo.y, b.lo.z, b.hi.x, b.hi.y,
+                b.hi.z);
   return text;
 }
 
@@ -91,13 +95,17 @@ SceneDesc scene_of_volume(const std::filesystem::path& file, std::string& report
   spec.type = "file";
   spec.file = file;
   const Grid grid = density_make(spec);
-  const Bounds bounds = grid_bounds(grid, grid_stats(grid));
+  const GridStats stats = grid_stats(grid);
+  if (stats.nonzero == 0)
+    throw InputError(file.string() + ": grid '" + grid.name + "' is 0 everywhere; there is nothing to see");
+  const Bounds bounds = grid_bounds(grid, stats);
 
   SceneDesc desc;
   desc.background = dvec3(0.06, 0.08, 0.11);
   desc.camera = camera_frame(bounds);
   desc.lights.push_back(key_light(desc.camera, 14));
-  const double densest = densest_line(grid, bounds, glm::normalize(desc.camera.target - desc.camera.eye), desc.camera.up);
+  const double densest =
+      densest_line(grid, bounds, glm::normalize(desc.camera.target - desc.camera.eye), desc.camera.up);
   const double sigma_t = DENSEST_VIEW / densest;
   MediumDesc medium;
   medium.density.type = "file";
@@ -107,7 +115,8 @@ SceneDesc scene_of_volume(const std::filesystem::path& file, std::string& report
   medium.sigma_a = dvec3((1 - ALBEDO) * sigma_t);
   desc.media.push_back(medium);
   char text[400];
-  std::snprintf(text, sizeof text, "%s, grid '%s': bounds %s; sigma_t %.4g per unit density, so that the densest view is about tau = %g",
+  std::snprintf(text, sizeof text,
+                "%s, grid '%s': bounds %s; sigma_t %.4g per unit density, so that the densest view is about tau = %g",
                 file.string().c_str(), grid.name.c_str(), box_text(bounds).c_str(), sigma_t, DENSEST_VIEW);
   report = text;
   return desc;
@@ -153,6 +162,8 @@ const BareRow* bare_row(const std::filesystem::path& file) {
 
 bool bare_scene_takes(const std::filesystem::path& file) { return bare_row(file) != nullptr; }
 
-SceneDesc bare_scene(const std::filesystem::path& file, std::string& report) { return bare_row(file)->make(file, report); }
+SceneDesc bare_scene(const std::filesystem::path& file, std::string& report) {
+  return bare_row(file)->make(file, report);
+}
 
 }  // namespace brume

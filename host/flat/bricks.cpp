@@ -58,7 +58,8 @@ bool brick_surely_empty(const Grid& grid, ivec3 b, int pad) {
 }
 
 // Stores the brick's samples and returns its number; bricks of one constant value share one.
-std::int32_t brick_store(const Brick& brick, std::map<float, std::int32_t>& constants, FlatScene& scene, const std::string& source) {
+std::int32_t brick_store(const Brick& brick, std::map<float, std::int32_t>& constants, FlatScene& scene,
+                         const std::string& source) {
   const bool constant = brick.min == brick.max;
   const auto number = static_cast<std::int32_t>(scene.voxels.size() / BRICK_VALUES);
   if (constant) {
@@ -90,8 +91,8 @@ void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene) {
   medium.brick_nz = bricks.z;
   medium.brick_offset = static_cast<int>(scene.bricks.size());
   if (static_cast<std::int64_t>(bricks.x) * bricks.y * bricks.z + medium.brick_offset > 0x7fffffff)
-    throw InputError(grid.source + ": " + std::to_string(bricks.x) + "x" + std::to_string(bricks.y) + "x" + std::to_string(bricks.z) +
-                     " bricks are more than 2^31");
+    throw InputError(grid.source + ": " + std::to_string(bricks.x) + "x" + std::to_string(bricks.y) + "x" +
+                     std::to_string(bricks.z) + " bricks are more than 2^31");
   std::map<float, std::int32_t> constants;
   for (int z = 0; z < bricks.z; ++z)
     for (int y = 0; y < bricks.y; ++y)

@@ -22,12 +22,12 @@ struct FlatScene {
   std::vector<Light> lights;
   std::vector<Material> materials;
   std::vector<Texture> textures;
-  std::vector<float> texels;      // 3 per texel, linear RGB
+  std::vector<float> texels;  // 3 per texel, linear RGB
 
   std::vector<Shape> shapes;
   std::vector<Triangle> triangles;
   int bvh_width = 4;
-  std::vector<float> bvh_nodes;   // layout: shared/bvh.h
+  std::vector<float> bvh_nodes;  // layout: shared/bvh.h
   std::vector<std::int32_t> bvh_links;
   std::vector<float> bvh_blocks;
   std::vector<std::int32_t> bvh_ids;
@@ -37,10 +37,10 @@ struct FlatScene {
   std::vector<float> brick_ranges;
   std::vector<float> voxels;
 
-  int method = 0;                 // Method, resolved: never auto
+  int method = 0;  // Method, resolved: never auto
   double exposure = 0;
-  std::string name;               // of the scene file, for metadata and stats
-  std::vector<std::string> notes; // what a user should be told once (dropped triangles, cleaned texels, ...)
+  std::string name;                // of the scene file, for metadata and stats
+  std::vector<std::string> notes;  // what a user should be told once (dropped triangles, cleaned texels, ...)
 };
 
 }  // namespace brume

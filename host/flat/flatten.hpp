@@ -8,8 +8,8 @@
 namespace brume {
 
 struct FlattenOptions {
-  int bvh_width = 4;                      // a multiple of the lanes that will traverse it
-  std::array<int, 4> crop{0, 0, 0, 0};    // x0, y0, x1, y1 in pixels; empty: the whole film
+  int bvh_width = 4;                    // a multiple of the lanes that will traverse it
+  std::array<int, 4> crop{0, 0, 0, 0};  // x0, y0, x1, y1 in pixels; empty: the whole film
 };
 
 // Throws InputError naming the place in the scene (or the file behind it) for whatever cannot be rendered.

@@ -29,7 +29,8 @@ class TextureTable {
     if (known != images_.end()) return known->second;
     const Image image = image_read_texture(file);
     if (image.cleaned > 0)
-      scene_.notes.push_back(file.string() + ": " + std::to_string(image.cleaned) + " texels that were NaN, infinite or negative are 0");
+      scene_.notes.push_back(file.string() + ": " + std::to_string(image.cleaned) +
+                             " texels that were NaN, infinite or negative are 0");
     Texture t{};
     t.type = TEXTURE_IMAGE;
     t.width = image.width;
@@ -96,7 +97,8 @@ void flatten_materials(const SceneDesc& desc, LoadedShapes& shapes, FlatScene& s
   for (const LoadedMesh& mesh : shapes.meshes) {
     shapes.first_material.push_back(static_cast<int>(scene.materials.size()));
     if (mesh.shape->material >= 0) continue;
-    for (const MeshMaterial& m : mesh.mesh.materials) scene.materials.push_back(material_flatten(m, textures, scene.notes));
+    for (const MeshMaterial& m : mesh.mesh.materials)
+      scene.materials.push_back(material_flatten(m, textures, scene.notes));
   }
   scene.frame.material_count = static_cast<int>(scene.materials.size());
 }

@@ -26,11 +26,14 @@ DensitySpec density_spec(const DensityDesc& d) {
   return spec;
 }
 
-bool density_is_constant(const DensityDesc& d) { return d.type == "constant" || (d.type == "sphere" && d.of && d.of->type == "constant"); }
+bool density_is_constant(const DensityDesc& d) {
+  return d.type == "constant" || (d.type == "sphere" && d.of && d.of->type == "constant");
+}
 
 // What a method must fit for this medium: FITS_x bits, any of which will do.
 int medium_fits(const MediumDesc& m) {
-  return (m.interpolation == INTERPOLATION_NEAREST ? FITS_NEAREST : FITS_TRILINEAR) | (density_is_constant(m.density) ? FITS_CONSTANT : 0);
+  return (m.interpolation == INTERPOLATION_NEAREST ? FITS_NEAREST : FITS_TRILINEAR) |
+         (density_is_constant(m.density) ? FITS_CONSTANT : 0);
 }
 
 std::string methods_that_fit(int fits) {
@@ -47,13 +50,14 @@ int method_resolve(const SceneDesc& desc, const MediumDesc& m) {
     return m.interpolation == INTERPOLATION_NEAREST ? METHOD_DDA_NEAREST : METHOD_DDA_GAUSS2;
   }
   if (!(method_fits(desc.render.method) & fits))
-    throw InputError(desc.file.string() + ": /render/method: '" + std::string(family_name(method_family(), desc.render.method)) +
-                     "' does not fit the " + std::string(family_name(interpolation_family(), m.interpolation)) + " density '" +
-                     m.density.type + "' of " + m.place + "; these do: " + methods_that_fit(fits));
+    throw InputError(desc.file.string() + ": /render/method: '" +
+                     std::string(family_name(method_family(), desc.render.method)) + "' does not fit the " +
+                     std::string(family_name(interpolation_family(), m.interpolation)) + " density '" + m.density.type +
+                     "' of " + m.place + "; these do: " + methods_that_fit(fits));
   return desc.render.method;
 }
 
-double constant_value(const DensityDesc& d) { return d.type == "sphere" ? d.of->value : d.value; }
+double constant_value(const DensityDesc& d) { return d.of ? d.of->value : d.value; }
 
 dmat4 lattice_onto_bounds(const std::array<dvec3, 2>& bounds, const dvec3& size) {
   dmat4 m(1.0);
@@ -78,7 +82,8 @@ LoadedMedium load_medium(const SceneDesc& desc, const MediumDesc& m) {
   loaded.grid = density_make(density_spec(m.density));
   const dvec3 size(loaded.grid->size());
   const bool own = m.density.type == "file" && !m.bounds;
-  loaded.world_from_lattice = transform * (own ? loaded.grid->world_from_lattice : lattice_onto_bounds(m.bounds.value_or(unit), size));
+  loaded.world_from_lattice =
+      transform * (own ? loaded.grid->world_from_lattice : lattice_onto_bounds(m.bounds.value_or(unit), size));
   return loaded;
 }
 
@@ -92,7 +97,8 @@ dvec3 medium_size(const LoadedMedium& m) { return m.grid ? dvec3(m.grid->size())
 double longest_side(const LoadedMedium& m) {
   const dvec3 size = medium_size(m) + 2 * medium_reach(m);
   double longest = 0;
-  for (int axis = 0; axis < 3; ++axis) longest = std::max(longest, glm::length(dvec3(m.world_from_lattice[axis])) * size[axis]);
+  for (int axis = 0; axis < 3; ++axis)
+    longest = std::max(longest, glm::length(dvec3(m.world_from_lattice[axis])) * size[axis]);
   return longest;
 }
 
@@ -118,7 +124,8 @@ Medium medium_flatten(const SceneDesc& desc, const LoadedMedium& loaded, FlatSce
     medium.hi = {1, 1, 1};
   } else {
     bricks_append(*loaded.grid, medium, scene);
-    if (d.interpolation == INTERPOLATION_TRILINEAR) cell_from_world[3] += glm::dvec4(0.5, 0.5, 0.5, 0.0);  // see bricks_append
+    if (d.interpolation == INTERPOLATION_TRILINEAR)
+      cell_from_world[3] += glm::dvec4(0.5, 0.5, 0.5, 0.0);  // see bricks_append
   }
   medium.cell_from_world = affine(cell_from_world);
   return medium;
@@ -136,7 +143,8 @@ void medium_bounds_add(const LoadedMedium& m, Bounds& bounds) {
   const double reach = medium_reach(m);
   const dvec3 lo(-reach), hi = medium_size(m) + reach;
   for (int corner = 0; corner < 8; ++corner)
-    bounds.add(transform_point(m.world_from_lattice, dvec3(corner & 1 ? hi.x : lo.x, corner & 2 ? hi.y : lo.y, corner & 4 ? hi.z : lo.z)));
+    bounds.add(transform_point(m.world_from_lattice,
+                               dvec3(corner & 1 ? hi.x : lo.x, corner & 2 ? hi.y : lo.y, corner & 4 ? hi.z : lo.z)));
 }
 
 void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media, FlatScene& scene) {

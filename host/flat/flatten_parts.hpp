@@ -15,8 +15,8 @@ namespace brume {
 // A medium with its grid in memory. Constant media have a grid only where a voxel method asks for one.
 struct LoadedMedium {
   const MediumDesc* desc;
-  int method;                 // resolved, never auto
-  bool is_constant, sphere;   // closed form; cut to a sphere
+  int method;                // resolved, never auto
+  bool is_constant, sphere;  // closed form; cut to a sphere
   double constant = 0;
   std::optional<Grid> grid;
   dmat4 world_from_lattice{1.0};  // lattice: [0, size] of the grid, or the unit cube of a constant medium
@@ -30,10 +30,10 @@ struct LoadedMesh {
 };
 struct LoadedShapes {
   std::vector<const ShapeDesc*> analytic;
-  std::vector<LoadedMesh> meshes;  // single triangles too
-  std::vector<int> first_material; // per mesh: where its own materials begin in FlatScene::materials
+  std::vector<LoadedMesh> meshes;   // single triangles too
+  std::vector<int> first_material;  // per mesh: where its own materials begin in FlatScene::materials
   int default_material = 0;
-  Bounds bounds;                   // of everything finite
+  Bounds bounds;  // of everything finite
 };
 LoadedShapes load_shapes(const SceneDesc& desc, std::vector<std::string>& notes);
 

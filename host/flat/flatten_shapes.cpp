@@ -158,7 +158,8 @@ void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene) {
     const auto& [desc, mesh] = shapes.meshes[i];
     for (const MeshTriangle& t : mesh.triangles) {
       const int own = t.material >= 0 ? shapes.first_material[i] + t.material : shapes.default_material;
-      const Triangle flat = triangle_flatten(mesh, t, smooth(*desc), desc->material >= 0 ? desc->material : own, scene.origin);
+      const Triangle flat =
+          triangle_flatten(mesh, t, smooth(*desc), desc->material >= 0 ? desc->material : own, scene.origin);
       if (has_area(flat)) {
         scene.triangles.push_back(flat);
       } else {
@@ -166,7 +167,8 @@ void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene) {
       }
     }
   }
-  if (dropped > 0) scene.notes.push_back(std::to_string(dropped) + " triangles have no area in single precision and are left out");
+  if (dropped > 0)
+    scene.notes.push_back(std::to_string(dropped) + " triangles have no area in single precision and are left out");
   FlatBvh bvh = bvh_build(scene.triangles, scene.bvh_width);
   scene.bvh_nodes = std::move(bvh.nodes);
   scene.bvh_links = std::move(bvh.links);

@@ -13,7 +13,9 @@ namespace {
 
 struct StepMatrix {
   dmat4 operator()(const Scale& s) const { return glm::scale(dmat4(1.0), s.factor); }
-  dmat4 operator()(const Rotate& r) const { return glm::rotate(dmat4(1.0), glm::radians(r.degrees), glm::normalize(r.axis)); }
+  dmat4 operator()(const Rotate& r) const {
+    return glm::rotate(dmat4(1.0), glm::radians(r.degrees), glm::normalize(r.axis));
+  }
   dmat4 operator()(const Translate& t) const { return glm::translate(dmat4(1.0), t.offset); }
 };
 

@@ -26,7 +26,8 @@ std::string obj_text(const Path& file) {
   std::ostringstream out;
   out << in.rdbuf();
   std::string text = out.str();
-  if (text.find('\0') != std::string::npos) fail(file, "is not a plain text file (UTF-16 or binary); OBJ files are ASCII or UTF-8");
+  if (text.find('\0') != std::string::npos)
+    fail(file, "is not a plain text file (UTF-16 or binary); OBJ files are ASCII or UTF-8");
   return text;
 }
 
@@ -48,8 +49,8 @@ std::string lines_join(std::string text) {
 class MaterialFiles : public tinyobj::MaterialReader {
  public:
   MaterialFiles(Path folder, std::vector<std::string>& notes) : folder_(std::move(folder)), notes_(notes) {}
-  bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials, std::map<std::string, int>* index,
-                  std::string* warning, std::string* error) override {
+  bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
+                  std::map<std::string, int>* index, std::string* warning, std::string* error) override {
     std::ifstream in(folder_ / name);
     if (!in) {
       notes_.push_back((folder_ / name).string() + ": the material library cannot be opened; the mesh is grey");
@@ -80,7 +81,8 @@ MeshMaterial material_convert(const tinyobj::material_t& m, const Path& folder) 
   return out;
 }
 
-std::vector<glm::dvec3> positions_convert(const Path& file, const std::vector<tinyobj::real_t>& flat, const char* what) {
+std::vector<glm::dvec3> positions_convert(const Path& file, const std::vector<tinyobj::real_t>& flat,
+                                          const char* what) {
   std::vector<glm::dvec3> out;
   for (std::size_t i = 0; i + 2 < flat.size(); i += 3) {
     out.push_back(triple(&flat[i]));
@@ -95,16 +97,19 @@ std::vector<glm::dvec3> positions_convert(const Path& file, const std::vector<ti
 int index_check(const Path& file, int index, std::size_t count, bool optional, std::size_t face, const char* what) {
   if (index == -1 && optional) return -1;
   if (index < 0 || index >= static_cast<int>(count))
-    fail(file, "face " + std::to_string(face + 1) + " names a " + what + " that does not exist; the file has " + std::to_string(count));
+    fail(file, "face " + std::to_string(face + 1) + " names a " + what + " that does not exist; the file has " +
+                   std::to_string(count));
   return index;
 }
 
 bool has_area(const Mesh& mesh, const MeshTriangle& t) {
-  const glm::dvec3 &a = mesh.positions[t.position[0]], &b = mesh.positions[t.position[1]], &c = mesh.positions[t.position[2]];
+  const glm::dvec3 &a = mesh.positions[t.position[0]], &b = mesh.positions[t.position[1]],
+                   &c = mesh.positions[t.position[2]];
   return glm::length(glm::cross(b - a, c - a)) > 0;
 }
 
-void triangles_convert(const Path& file, const tinyobj::attrib_t& attrib, const std::vector<tinyobj::shape_t>& shapes, Mesh& mesh) {
+void triangles_convert(const Path& file, const tinyobj::attrib_t& attrib, const std::vector<tinyobj::shape_t>& shapes,
+                       Mesh& mesh) {
   std::size_t face = 0, dropped = 0;
   for (const tinyobj::shape_t& shape : shapes) {
     for (std::size_t f = 0; 3 * f + 2 < shape.mesh.indices.size(); ++f, ++face) {
@@ -125,7 +130,8 @@ void triangles_convert(const Path& file, const tinyobj::attrib_t& attrib, const 
       }
     }
   }
-  if (dropped > 0) mesh.notes.push_back(file.string() + ": " + std::to_string(dropped) + " triangles without area are left out");
+  if (dropped > 0)
+    mesh.notes.push_back(file.string() + ": " + std::to_string(dropped) + " triangles without area are left out");
 }
 
 }  // namespace

@@ -19,7 +19,9 @@ bool extinction_is_grey(const Medium& m) {
   return x == y && y == z;
 }
 
-std::string define(const char* name, unsigned value) { return std::string(" -DBRUME_") + name + "=" + std::to_string(value); }
+std::string define(const char* name, unsigned value) {
+  return std::string(" -DBRUME_") + name + "=" + std::to_string(value);
+}
 
 std::string scene_options(const FlatScene& s) {
   const auto& media = s.media;

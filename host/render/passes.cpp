@@ -25,7 +25,8 @@ constexpr std::size_t GROUP_CPU = 16, GROUP_GPU = 64;
 
 }  // namespace
 
-Passes::Passes(Context& context, const FlatScene& scene, const std::string& options, std::size_t batch_rays, std::size_t film_pixels)
+Passes::Passes(Context& context, const FlatScene& scene, const std::string& options, std::size_t batch_rays,
+               std::size_t film_pixels)
     : context_(context),
       scene_(context, scene),
       has_surfaces_(!scene.shapes.empty() || !scene.triangles.empty()),
@@ -76,8 +77,8 @@ void Passes::bind(const Batch& batch) {
 cl::Event Passes::launch(Id id, std::size_t items) {
   cl::Event event;
   const std::size_t groups = std::max<std::size_t>((items + group_ - 1) / group_, 1);
-  context_.queue().enqueueNDRangeKernel(kernels_[id], cl::NullRange, cl::NDRange(groups * group_), cl::NDRange(group_), nullptr,
-                                        &event);
+  context_.queue().enqueueNDRangeKernel(kernels_[id], cl::NullRange, cl::NDRange(groups * group_), cl::NDRange(group_),
+                                        nullptr, &event);
   return event;
 }
 
@@ -89,7 +90,8 @@ void Passes::run(const Batch& batch, std::vector<PassStats>& stats) {
     bind(batch);
     for (int id = 0; id < PASS_COUNT; ++id) {
       pass = PASS_NAMES[id];
-      if (runs(static_cast<Id>(id))) events[id] = launch(static_cast<Id>(id), id == ACCUMULATE ? batch.pixels : batch.rays());
+      if (runs(static_cast<Id>(id)))
+        events[id] = launch(static_cast<Id>(id), id == ACCUMULATE ? batch.pixels : batch.rays());
     }
     context_.queue().finish();
     for (int id = 0; id < PASS_COUNT; ++id) {
@@ -100,7 +102,8 @@ void Passes::run(const Batch& batch, std::vector<PassStats>& stats) {
       stats[id].items += id == ACCUMULATE ? batch.pixels : batch.rays();
     }
   } catch (const cl::Error& error) {
-    throw RuntimeError(context_.device().title() + ": pass " + pass + ": " + error.what() + " failed: " + cl_error_name(error.err()));
+    throw RuntimeError(context_.device().title() + ": pass " + pass + ": " + error.what() +
+                       " failed: " + cl_error_name(error.err()));
   }
 }
 

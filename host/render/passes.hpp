@@ -19,7 +19,8 @@ struct Batch {
 
 class Passes {
  public:
-  Passes(Context& context, const FlatScene& scene, const std::string& options, std::size_t batch_rays, std::size_t film_pixels);
+  Passes(Context& context, const FlatScene& scene, const std::string& options, std::size_t batch_rays,
+         std::size_t film_pixels);
 
   double build_seconds() const { return build_seconds_; }
   double upload_seconds() const { return upload_seconds_; }

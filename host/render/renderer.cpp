@@ -41,7 +41,8 @@ Renderer::Renderer(Context& context, const FlatScene& scene, const RenderOptions
   State& s = *state_;
   s.frame = scene.frame;
   s.crop_pixels = static_cast<std::size_t>(s.frame.crop_x1 - s.frame.crop_x0) * (s.frame.crop_y1 - s.frame.crop_y0);
-  const std::size_t wanted = options.batch_rays > 0 ? options.batch_rays : (context.device().cpu ? BATCH_CPU : BATCH_GPU);
+  const std::size_t wanted =
+      options.batch_rays > 0 ? options.batch_rays : (context.device().cpu ? BATCH_CPU : BATCH_GPU);
   s.batch_rays = std::min(wanted, static_cast<std::size_t>(s.total_rays()));
   s.stats.lanes = lanes_choose(context.device(), options.lanes);
 

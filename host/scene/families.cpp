@@ -6,10 +6,10 @@
 
 namespace brume {
 
-#define FAMILY(function, prefix, LIST) \
-  const Family& function() {           \
+#define FAMILY(function, prefix, LIST)   \
+  const Family& function() {             \
     static const Family rows{LIST(ROW)}; \
-    return rows;                       \
+    return rows;                         \
   }
 
 #define ROW(id, name, help) {CAMERA_##id, name, help},

@@ -17,7 +17,7 @@ TextureDesc read_texture(const JsonValue& value, const std::filesystem::path& fo
   if (t.type == TEXTURE_CHECKER) {
     if (value.has("colors")) {
       const std::vector<JsonValue> colors = value.get("colors").as_list();
-      if (colors.size() != 2) value.get("colors").fail("expected 2 colors");
+      if (colors.size() != 2) value.get("colors").fail("expected 2 colors" + value.get("colors").got());
       for (int i = 0; i < 2; ++i) t.colors[i] = colors[i].as_color(Range::at_least_0());
     }
     t.scale = value.number("scale", t.scale, Range::positive());
@@ -36,8 +36,9 @@ MaterialDesc read_material(const std::string& name, const JsonValue& m, const st
   out.emission = m.color("emission", out.emission, Range::at_least_0());
   out.shininess = m.number("shininess", out.shininess, Range::closed(0, 1e6));
   out.ior = m.number("ior", out.ior, Range::positive());
-  for (const char* key : {"reflection", "refraction"})
-    if (m.number(key, 0, Range::closed(0, 1)) != 0) refuse_not_yet(m.get(key), "0");
+  out.reflection = m.number("reflection", out.reflection, Range::closed(0, 1));
+  out.refraction = m.number("refraction", out.refraction, Range::closed(0, 1));
+  refuse_reserved(m, Part::MATERIAL);
   if (m.has("texture")) out.texture = read_texture(m.get("texture"), folder);
   m.refuse_unread();
   return out;
@@ -50,7 +51,8 @@ std::vector<MaterialDesc> read_materials(const JsonValue& scene, const std::file
   if (!scene.has("materials")) return materials;
   const JsonValue all = scene.get("materials");
   all.expect_object();
-  for (const auto& item : all.json().items()) materials.push_back(read_material(item.key(), all.get(item.key()), folder));
+  for (const auto& item : all.json().items())
+    materials.push_back(read_material(item.key(), all.get(item.key()), folder));
   return materials;
 }
 

@@ -1,4 +1,6 @@
 // "media": bounds, density, coefficients, phase function.
+#include <cstdint>
+
 #include "scene/families.hpp"
 #include "scene/read_parts.hpp"
 
@@ -7,7 +9,7 @@ namespace brume {
 namespace {
 
 constexpr int RESOLUTION_MAX = 4096;
-constexpr double SAMPLES_MAX = 2147483647.0;
+constexpr std::int64_t SAMPLES_MAX = 2147483647;
 
 // Keys that a density type reads beside "type" (host/volume's table makes the field).
 struct DensityKeys {
@@ -15,9 +17,9 @@ struct DensityKeys {
   bool resolution, value, noise, file, of;
 };
 constexpr DensityKeys DENSITIES[] = {
-    {"constant", true, true, false, false, false}, {"linear", true, false, false, false, false},
+    {"constant", true, true, false, false, false},     {"linear", true, false, false, false, false},
     {"exponential", true, false, false, false, false}, {"perlin", true, false, true, false, false},
-    {"sphere", false, false, false, false, true}, {"file", false, false, false, true, false}};
+    {"sphere", false, false, false, false, true},      {"file", false, false, false, true, false}};
 
 const Family& density_names() {
   static const Family family = [] {
@@ -28,13 +30,14 @@ const Family& density_names() {
   return family;
 }
 
-ivec3 read_resolution(const JsonValue& density, const ivec3& fallback) {
-  if (!density.has("resolution")) return fallback;
-  const std::vector<JsonValue> list = density.get("resolution").as_list();
-  if (list.size() != 3) density.get("resolution").fail("expected 3 integers");
+ivec3 read_resolution(const JsonValue& value) {
+  const std::vector<JsonValue> list = value.as_list();
+  if (list.size() != 3) value.fail("expected 3 integers" + value.got());
   ivec3 r;
   for (int i = 0; i < 3; ++i) r[i] = list[i].as_integer(1, RESOLUTION_MAX);
-  if (double(r.x) * r.y * r.z > SAMPLES_MAX) density.get("resolution").fail("more than 2^31 samples");
+  if (std::int64_t(r.x) * r.y * r.z > SAMPLES_MAX)
+    value.fail(std::to_string(std::int64_t(r.x) * r.y * r.z) + " samples; at most " + std::to_string(SAMPLES_MAX) +
+               " are allowed");
   return r;
 }
 
@@ -42,7 +45,7 @@ DensityDesc read_density(const JsonValue& density, const std::filesystem::path& 
   DensityDesc d;
   const DensityKeys& keys = DENSITIES[density.get("type").as_member(density_names(), "density")];
   d.type = std::string(keys.name);
-  if (keys.resolution) d.resolution = read_resolution(density, d.resolution);
+  if (keys.resolution && density.has("resolution")) d.resolution = read_resolution(density.get("resolution"));
   if (keys.value) d.value = density.number("value", d.value, Range::at_least_0());
   if (keys.noise) {
     d.scale = density.number("scale", d.scale, Range::positive());
@@ -60,10 +63,11 @@ DensityDesc read_density(const JsonValue& density, const std::filesystem::path& 
 
 std::array<dvec3, 2> read_bounds(const JsonValue& bounds) {
   const std::vector<JsonValue> corners = bounds.as_list();
-  if (corners.size() != 2) bounds.fail("expected [[x, y, z], [x, y, z]]: the lowest and the highest corner");
+  if (corners.size() != 2)
+    bounds.fail("expected [[x, y, z], [x, y, z]]: the lowest and the highest corner" + bounds.got());
   const std::array<dvec3, 2> b{corners[0].as_vec3(Range::any()), corners[1].as_vec3(Range::any())};
   for (int i = 0; i < 3; ++i)
-    if (!(b[0][i] < b[1][i])) bounds.fail("the bounds contradict themselves: expected first corner < second on every axis");
+    if (!(b[0][i] < b[1][i])) bounds.fail("expected the first corner below the second on every axis" + bounds.got());
   return b;
 }
 
@@ -83,7 +87,7 @@ MediumDesc read_medium(const JsonValue& medium, const std::filesystem::path& fol
   m.sigma_a = medium.color("sigma_a", m.sigma_a, Range::at_least_0());
   m.sigma_s = medium.color("sigma_s", m.sigma_s, Range::at_least_0());
   m.emission = medium.color("emission", m.emission, Range::at_least_0());
-  if (m.emission != dvec3(0)) refuse_not_yet(medium.get("emission"), "0");
+  refuse_reserved(medium, Part::MEDIUM);
   if (medium.has("phase")) read_phase(medium.get("phase"), m);
   medium.refuse_unread();
   return m;

@@ -6,7 +6,8 @@
 namespace brume {
 
 std::vector<MaterialDesc> read_materials(const JsonValue& scene, const std::filesystem::path& folder);
-std::vector<ShapeDesc> read_shapes(const JsonValue& scene, const std::vector<MaterialDesc>& materials, const std::filesystem::path& folder);
+std::vector<ShapeDesc> read_shapes(const JsonValue& scene, const std::vector<MaterialDesc>& materials,
+                                   const std::filesystem::path& folder);
 std::vector<MediumDesc> read_media(const JsonValue& scene, const std::filesystem::path& folder);
 std::vector<LightDesc> read_lights(const JsonValue& scene);
 TransformDesc read_transform(const JsonValue& owner);
@@ -17,7 +18,14 @@ std::filesystem::path read_path(const JsonValue& value, const std::filesystem::p
 // Applies "/json/pointer=VALUE" to the parsed scene.
 void apply_override(nlohmann::json& scene, const std::string& text);
 
-// What the scene language names but this version cannot do yet is refused here, in one voice.
-[[noreturn]] void refuse_not_yet(const JsonValue& value, const std::string& allowed);
+// Fails where a key of `owner` asks for something that the scene language names but this version cannot do.
+enum class Part { RENDER, MATERIAL, MEDIUM, MESH };
+void refuse_reserved(const JsonValue& owner, Part part);
+
+// Too short to have a direction, or not even finite.
+bool is_zero(const dvec3& v);
+
+// False where u and v are parallel or zero, to a part in 1e9.
+bool spans_area(const dvec3& u, const dvec3& v);
 
 }  // namespace brume

@@ -1,6 +1,4 @@
 // "shapes": one reader per type, chosen by a table.
-#include <glm/geometric.hpp>
-
 #include "scene/families.hpp"
 #include "scene/read_parts.hpp"
 
@@ -23,7 +21,7 @@ Geometry read_cylinder(const JsonValue& s, const Folder&) {
   out.base = s.vec3("base", out.base);
   out.top = s.vec3("top", out.top);
   out.radius = s.number("radius", out.radius, Range::positive());
-  if (out.base == out.top) s.fail("base and top are the same point; they must differ");
+  if (is_zero(out.top - out.base)) s.fail("base and top are the same point; they must differ");
   return out;
 }
 
@@ -31,7 +29,7 @@ Geometry read_plane(const JsonValue& s, const Folder&) {
   PlaneDesc out;
   out.point = s.vec3("point", out.point);
   out.normal = s.vec3("normal", out.normal);
-  if (out.normal == dvec3(0)) s.fail("the normal must not be zero");
+  if (is_zero(out.normal)) s.get("normal").fail("the normal must not be zero");
   return out;
 }
 
@@ -40,8 +38,7 @@ Geometry read_quad(const JsonValue& s, const Folder&) {
   out.corner = s.vec3("corner", out.corner);
   out.u = s.vec3("u", out.u);
   out.v = s.vec3("v", out.v);
-  if (glm::length(glm::cross(out.u, out.v)) <= 1e-9 * glm::length(out.u) * glm::length(out.v))
-    s.fail("u and v are parallel or zero; they must span an area");
+  if (!spans_area(out.u, out.v)) s.fail("u and v are parallel or zero; they must span an area");
   return out;
 }
 
@@ -60,16 +57,17 @@ Geometry read_triangle(const JsonValue& s, const Folder&) {
   const std::vector<JsonValue> vertices = s.get("vertices").as_list();
   if (vertices.size() != 3) s.get("vertices").fail("expected 3 vertices");
   for (int i = 0; i < 3; ++i) out.vertices[i] = vertices[i].as_vec3(Range::any());
-  if (glm::length(glm::cross(out.vertices[1] - out.vertices[0], out.vertices[2] - out.vertices[0])) == 0)
-    s.fail("the vertices lie on a line; they must span an area");
+  if (!spans_area(out.vertices[1] - out.vertices[0], out.vertices[2] - out.vertices[0]))
+    s.get("vertices").fail("the vertices lie on a line; they must span an area");
   return out;
 }
 
 Geometry read_mesh(const JsonValue& s, const Folder& folder) {
   MeshDesc out;
   out.file = read_path(s.get("file"), folder);
-  if (s.has("shading") && s.get("shading").as_string() == "gouraud") refuse_not_yet(s.get("shading"), "\"flat\", \"phong\"");
-  out.shading = static_cast<MeshShading>(s.member("shading", static_cast<int>(out.shading), mesh_shading_family(), "shading"));
+  refuse_reserved(s, Part::MESH);
+  out.shading =
+      static_cast<MeshShading>(s.member("shading", static_cast<int>(out.shading), mesh_shading_family(), "shading"));
   out.transform = read_transform(s);
   return out;
 }
@@ -86,30 +84,34 @@ int read_material_name(const JsonValue& shape, const std::vector<MaterialDesc>& 
     if (materials[i].name == name) return static_cast<int>(i);
     known += (known.empty() ? "" : ", ") + materials[i].name;
   }
-  shape.get("material").fail("unknown material '" + name + "'; known: " + (known.empty() ? "none" : known));
+  shape.get("material").fail("unknown material " + text_quote(name) + "; known: " + (known.empty() ? "none" : known));
 }
 
-std::variant<Scale, Rotate, Translate> read_step(const JsonValue& step) {
-  if (step.has("scale")) {
-    const Scale s{step.get("scale").as_color(Range::any())};
-    if (s.factor.x == 0 || s.factor.y == 0 || s.factor.z == 0) step.fail("a scale of 0 leaves nothing; it must not be 0");
-    step.refuse_unread();
-    return s;
-  }
-  if (step.has("translate")) {
-    const Translate t{step.get("translate").as_vec3(Range::any())};
-    step.refuse_unread();
-    return t;
-  }
-  if (!step.has("rotate")) step.fail("expected {\"scale\": ...}, {\"rotate\": [x, y, z, degrees]} or {\"translate\": ...}");
-  const std::vector<JsonValue> v = step.get("rotate").as_list();
-  if (v.size() != 4) step.get("rotate").fail("expected [x, y, z, degrees]");
+Scale read_scale(const JsonValue& value) {
+  const Scale s{value.as_color(Range::any())};
+  for (int i = 0; i < 3; ++i)
+    if (static_cast<float>(s.factor[i]) == 0) value.fail("a scale of 0 leaves nothing; it must not be 0");
+  return s;
+}
+
+Rotate read_rotate(const JsonValue& value) {
+  const std::vector<JsonValue> v = value.as_list();
+  if (v.size() != 4) value.fail("expected [x, y, z, degrees]" + value.got());
   Rotate r;
   for (int i = 0; i < 3; ++i) r.axis[i] = v[i].as_number(Range::any());
   r.degrees = v[3].as_number(Range::any());
-  if (r.axis == dvec3(0)) step.get("rotate").fail("the axis must not be zero");
-  step.refuse_unread();
+  if (is_zero(r.axis)) value.fail("the axis must not be zero");
   return r;
+}
+
+std::variant<Scale, Rotate, Translate> read_step(const JsonValue& step) {
+  step.expect_object();
+  if (step.json().size() != 1)
+    step.fail("expected one of {\"scale\": ...}, {\"rotate\": ...} and {\"translate\": ...}" + step.got());
+  if (step.has("scale")) return read_scale(step.get("scale"));
+  if (step.has("rotate")) return read_rotate(step.get("rotate"));
+  if (!step.has("translate")) step.refuse_unread();
+  return Translate{step.get("translate").as_vec3(Range::any())};
 }
 
 }  // namespace
@@ -120,7 +122,8 @@ TransformDesc read_transform(const JsonValue& owner) {
   return steps;
 }
 
-std::vector<ShapeDesc> read_shapes(const JsonValue& scene, const std::vector<MaterialDesc>& materials, const Folder& folder) {
+std::vector<ShapeDesc> read_shapes(const JsonValue& scene, const std::vector<MaterialDesc>& materials,
+                                   const Folder& folder) {
   std::vector<ShapeDesc> shapes;
   for (const JsonValue& s : scene.list("shapes")) {
     ShapeDesc shape;

@@ -26,8 +26,8 @@ using glm::ivec3;
 struct CameraDesc {
   int type = CAMERA_PERSPECTIVE;
   dvec3 eye{0, 0, 5}, target{0, 0, 0}, up{0, 1, 0};
-  double vfov = 40;    // perspective: degrees, in (0, 180)
-  double height = 2;   // orthographic: world units, > 0
+  double vfov = 40;   // perspective: degrees, in (0, 180)
+  double height = 2;  // orthographic: world units, > 0
 };
 
 struct FilmDesc {
@@ -39,15 +39,15 @@ struct FilmDesc {
 struct LightDesc {
   int type = LIGHT_POINT;
   dvec3 position{0}, direction{0, -1, 0};
-  dvec3 intensity{1};        // `irradiance` for directional
+  dvec3 intensity{1};  // `irradiance` for directional
   int falloff = FALLOFF_INVERSE_SQUARE;
-  double angle = 30;         // spot: half-angle of the cone, degrees, in (0, 90)
-  double softness = 0.1;     // spot: share of the angle over which the edge fades, in [0, 1]
+  double angle = 30;      // spot: half-angle of the cone, degrees, in (0, 90)
+  double softness = 0.1;  // spot: share of the angle over which the edge fades, in [0, 1]
 };
 
 struct TextureDesc {
   int type = TEXTURE_IMAGE;
-  std::filesystem::path file;              // image; already resolved against the scene file
+  std::filesystem::path file;  // image; already resolved against the scene file
   std::array<dvec3, 2> colors{dvec3(1), dvec3(0)};
   double scale = 1;
 };
@@ -61,20 +61,46 @@ struct MaterialDesc {
 };
 
 // Transform steps are applied in the order in which they are written.
-struct Scale { dvec3 factor; };
-struct Rotate { dvec3 axis; double degrees; };
-struct Translate { dvec3 offset; };
+struct Scale {
+  dvec3 factor;
+};
+struct Rotate {
+  dvec3 axis;
+  double degrees;
+};
+struct Translate {
+  dvec3 offset;
+};
 using TransformDesc = std::vector<std::variant<Scale, Rotate, Translate>>;
 
 // `material` is an index into SceneDesc::materials, or -1 where the scene names none (a mesh then takes those of its MTL).
-struct SphereDesc { dvec3 center{0}; double radius = 1; };
-struct CylinderDesc { dvec3 base{0}, top{0, 1, 0}; double radius = 1; };
-struct PlaneDesc { dvec3 point{0}, normal{0, 1, 0}; };
-struct QuadDesc { dvec3 corner{0}, u{1, 0, 0}, v{0, 1, 0}; };
-struct BoxDesc { dvec3 min{-1}, max{1}; TransformDesc transform; };
-struct TriangleDesc { std::array<dvec3, 3> vertices; };
+struct SphereDesc {
+  dvec3 center{0};
+  double radius = 1;
+};
+struct CylinderDesc {
+  dvec3 base{0}, top{0, 1, 0};
+  double radius = 1;
+};
+struct PlaneDesc {
+  dvec3 point{0}, normal{0, 1, 0};
+};
+struct QuadDesc {
+  dvec3 corner{0}, u{1, 0, 0}, v{0, 1, 0};
+};
+struct BoxDesc {
+  dvec3 min{-1}, max{1};
+  TransformDesc transform;
+};
+struct TriangleDesc {
+  std::array<dvec3, 3> vertices;
+};
 enum class MeshShading { FLAT, PHONG };
-struct MeshDesc { std::filesystem::path file; MeshShading shading = MeshShading::PHONG; TransformDesc transform; };
+struct MeshDesc {
+  std::filesystem::path file;
+  MeshShading shading = MeshShading::PHONG;
+  TransformDesc transform;
+};
 
 struct ShapeDesc {
   std::variant<SphereDesc, CylinderDesc, PlaneDesc, QuadDesc, BoxDesc, TriangleDesc, MeshDesc> geometry;
@@ -86,12 +112,12 @@ struct ShapeDesc {
 struct DensityDesc {
   std::string type = "constant";  // constant, linear, exponential, perlin, sphere, file
   ivec3 resolution{64};
-  double value = 1;               // constant
-  double scale = 4;               // perlin: lattice cells along the longest side
+  double value = 1;  // constant
+  double scale = 4;  // perlin: lattice cells along the longest side
   int octaves = 4;
   int seed = 1;
-  std::filesystem::path file;     // file; already resolved
-  std::string grid;               // file: name of the grid, empty = the first that can be a density
+  std::filesystem::path file;       // file; already resolved
+  std::string grid;                 // file: name of the grid, empty = the first that can be a density
   std::shared_ptr<DensityDesc> of;  // sphere: what is cut
 };
 

@@ -1,10 +1,11 @@
 // See scene_reader.hpp: the whole file, camera, film, render settings, lights. Other parts: read_*.cpp.
 #include "scene/scene_reader.hpp"
 
-#include <cmath>
+#include <cerrno>
 #include <fstream>
 #include <glm/geometric.hpp>
-#include <sstream>
+#include <limits>
+#include <system_error>
 
 #include "base/error.hpp"
 #include "scene/families.hpp"
@@ -14,20 +15,27 @@ namespace brume {
 
 namespace {
 
-constexpr std::uintmax_t FILE_BYTES_MAX = 64u << 20;
+constexpr std::size_t FILE_BYTES_MAX = 64u << 20;
 constexpr int FILM_SIDE_MAX = 65536;
 constexpr double STEP_MIN = 1e-6;  // of the medium's longest side: a million steps
 
+// By pieces, so that pipes work and an endless file does no harm.
 std::string file_text(const std::filesystem::path& file) {
   std::error_code error;
-  if (std::filesystem::is_directory(file, error)) throw InputError(file.string() + ": is a folder, expected a scene file");
+  if (std::filesystem::is_directory(file, error))
+    throw InputError(file.string() + ": is a folder, expected a scene file");
+  errno = 0;
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file.string() + ": cannot be opened");
-  if (std::filesystem::file_size(file, error) > FILE_BYTES_MAX)
-    throw InputError(file.string() + ": larger than " + std::to_string(FILE_BYTES_MAX >> 20) + " MiB, which no scene needs");
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
+  if (!in) throw InputError(file.string() + ": cannot be opened: " + std::generic_category().message(errno));
+  std::string text;
+  std::vector<char> piece(1 << 16);
+  while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())) || in.gcount() > 0) {
+    text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
+    if (text.size() > FILE_BYTES_MAX)
+      throw InputError(file.string() + ": larger than " + std::to_string(FILE_BYTES_MAX >> 20) +
+                       " MiB, which no scene needs");
+  }
+  return text;
 }
 
 CameraDesc read_camera(const JsonValue& scene) {
@@ -42,8 +50,8 @@ CameraDesc read_camera(const JsonValue& scene) {
   if (c.type == CAMERA_ORTHOGRAPHIC) c.height = camera.number("height", c.height, Range::positive());
   camera.refuse_unread();
   const dvec3 view = c.target - c.eye;
-  if (glm::length(view) == 0) camera.fail("eye and target are the same point; they must differ");
-  if (glm::length(glm::cross(view, c.up)) <= 1e-9 * glm::length(view) * glm::length(c.up))
+  if (is_zero(view)) camera.fail("eye and target are the same point; they must differ");
+  if (!spans_area(view, c.up))
     camera.fail("up is zero or along the view; it must point away from the line from eye to target");
   return c;
 }
@@ -54,7 +62,7 @@ FilmDesc read_film(const JsonValue& scene) {
   const JsonValue film = scene.get("film");
   if (film.has("size")) {
     const std::vector<JsonValue> size = film.get("size").as_list();
-    if (size.size() != 2) film.get("size").fail("expected [width, height]");
+    if (size.size() != 2) film.get("size").fail("expected [width, height]" + film.get("size").got());
     for (int i = 0; i < 2; ++i) f.size[i] = size[i].as_integer(1, FILM_SIDE_MAX);
   }
   f.spp = film.integer("spp", f.spp, 1, 1 << 20);
@@ -70,16 +78,10 @@ RenderDesc read_render(const JsonValue& scene) {
   Family methods = method_family();
   methods.insert(methods.begin(), {METHOD_AUTO, "auto", "the cheapest that is exact for each medium"});
   r.method = render.member("method", r.method, methods, "method");
-  r.step = render.number("step", r.step, Range{STEP_MIN, INFINITY, false, true});
+  r.step = render.number("step", r.step, Range::at_least(STEP_MIN));
   r.max_depth = render.integer("max_depth", r.max_depth, 0, 64);
   r.seed = render.integer("seed", r.seed, 0, 0x7fffffff);
-  if (render.has("in_scattering") && render.get("in_scattering").as_string() != "segment")
-    refuse_not_yet(render.get("in_scattering"), "\"segment\"");
-  if (render.has("shadow")) {
-    const std::string shadow = render.get("shadow").as_string();
-    if (shadow != "trace" && shadow != "auto") refuse_not_yet(render.get("shadow"), "\"trace\", \"auto\"");
-  }
-  if (render.has("max_error") && !render.get("max_error").is_null()) refuse_not_yet(render.get("max_error"), "null");
+  refuse_reserved(render, Part::RENDER);
   render.refuse_unread();
   return r;
 }
@@ -96,7 +98,7 @@ LightDesc read_light(const JsonValue& light) {
   }
   if (l.type != LIGHT_POINT) {
     l.direction = light.get("direction").as_vec3(Range::any());
-    if (glm::length(l.direction) == 0) light.get("direction").fail("the direction must not be zero");
+    if (is_zero(l.direction)) light.get("direction").fail("the direction must not be zero");
   }
   if (l.type == LIGHT_SPOT) {
     l.angle = light.number("angle", l.angle, Range::open(0, 90));
@@ -108,13 +110,15 @@ LightDesc read_light(const JsonValue& light) {
 
 }  // namespace
 
-void refuse_not_yet(const JsonValue& value, const std::string& allowed) {
-  value.fail("this version does not know " + value.json().dump() + " here; allowed: " + allowed);
+bool is_zero(const dvec3& v) { return !(glm::length(v) >= std::numeric_limits<float>::min()); }
+
+bool spans_area(const dvec3& u, const dvec3& v) {
+  return !is_zero(u) && !is_zero(v) && glm::length(glm::cross(glm::normalize(u), glm::normalize(v))) > 1e-9;
 }
 
 std::filesystem::path read_path(const JsonValue& value, const std::filesystem::path& folder) {
   const std::string text = value.as_string();
-  if (text.empty()) value.fail("expected the path of a file, got an empty string");
+  if (text.empty() || text.find('\0') != std::string::npos) value.fail("expected the path of a file" + value.got());
   return (folder / text).lexically_normal();
 }
 
@@ -124,7 +128,8 @@ std::vector<LightDesc> read_lights(const JsonValue& scene) {
   return lights;
 }
 
-SceneDesc scene_read_text(std::string_view text, const std::filesystem::path& as_file, const std::vector<std::string>& overrides) {
+SceneDesc scene_read_text(std::string_view text, const std::filesystem::path& as_file,
+                          const std::vector<std::string>& overrides) {
   nlohmann::json json = json_parse(text, as_file.string());
   for (const std::string& change : overrides) apply_override(json, change);
   const JsonValue scene(json, as_file.string());

@@ -14,6 +14,7 @@ namespace brume {
 SceneDesc scene_read(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
 // The same for a text; `as_file` names it in messages, and paths in it are relative to as_file's folder.
-SceneDesc scene_read_text(std::string_view text, const std::filesystem::path& as_file, const std::vector<std::string>& overrides);
+SceneDesc scene_read_text(std::string_view text, const std::filesystem::path& as_file,
+                          const std::vector<std::string>& overrides);
 
 }  // namespace brume

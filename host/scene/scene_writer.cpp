@@ -1,8 +1,11 @@
 // See scene_writer.hpp.
 #include "scene/scene_writer.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/error.hpp"
+#include "base/json_text.hpp"
 #include "scene/families.hpp"
 
 namespace brume {
@@ -12,18 +15,27 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Folder = std::filesystem::path;
 
-Json vec(const dvec3& v) { return {v.x, v.y, v.z}; }
+// 1 and not 1.0 where nothing is lost.
+Json number(double v) {
+  if (std::floor(v) == v && std::abs(v) < 1e15) return static_cast<std::int64_t>(v);
+  return v;
+}
 
+Json vec(const dvec3& v) { return {number(v.x), number(v.y), number(v.z)}; }
+
+// By names alone: links in the path are not followed, as in the reader.
 std::string path_text(const std::filesystem::path& file, const Folder& folder) {
-  std::error_code error;
-  const auto relative = std::filesystem::relative(file, folder.empty() ? "." : folder, error);
-  return error || relative.empty() ? file.string() : relative.generic_string();
+  const Folder base = std::filesystem::absolute(folder.empty() ? "." : folder).lexically_normal();
+  const auto relative = std::filesystem::absolute(file).lexically_normal().lexically_relative(base);
+  return relative.empty() ? file.generic_string() : relative.generic_string();
 }
 
 Json transform_json(const TransformDesc& transform) {
   struct Step {
     Json operator()(const Scale& s) const { return {{"scale", vec(s.factor)}}; }
-    Json operator()(const Rotate& r) const { return {{"rotate", {r.axis.x, r.axis.y, r.axis.z, r.degrees}}}; }
+    Json operator()(const Rotate& r) const {
+      return {{"rotate", {number(r.axis.x), number(r.axis.y), number(r.axis.z), number(r.degrees)}}};
+    }
     Json operator()(const Translate& t) const { return {{"translate", vec(t.offset)}}; }
   };
   Json steps = Json::array();
@@ -32,9 +44,12 @@ Json transform_json(const TransformDesc& transform) {
 }
 
 Json camera_json(const CameraDesc& c) {
-  Json json{{"type", family_name(camera_family(), c.type)}, {"eye", vec(c.eye)}, {"target", vec(c.target)}, {"up", vec(c.up)}};
-  if (c.type == CAMERA_PERSPECTIVE) json["vfov"] = c.vfov;
-  if (c.type == CAMERA_ORTHOGRAPHIC) json["height"] = c.height;
+  Json json{{"type", family_name(camera_family(), c.type)},
+            {"eye", vec(c.eye)},
+            {"target", vec(c.target)},
+            {"up", vec(c.up)}};
+  if (c.type == CAMERA_PERSPECTIVE) json["vfov"] = number(c.vfov);
+  if (c.type == CAMERA_ORTHOGRAPHIC) json["height"] = number(c.height);
   return json;
 }
 
@@ -45,32 +60,46 @@ Json light_json(const LightDesc& l) {
   json[l.type == LIGHT_DIRECTIONAL ? "irradiance" : "intensity"] = vec(l.intensity);
   if (l.type != LIGHT_DIRECTIONAL) json["falloff"] = family_name(falloff_family(), l.falloff);
   if (l.type == LIGHT_SPOT) {
-    json["angle"] = l.angle;
-    json["softness"] = l.softness;
+    json["angle"] = number(l.angle);
+    json["softness"] = number(l.softness);
   }
   return json;
 }
 
 Json material_json(const MaterialDesc& m, const Folder& folder) {
-  Json json{{"model", family_name(material_family(), m.model)}, {"ambient", vec(m.ambient)}, {"diffuse", vec(m.diffuse)},
-            {"specular", vec(m.specular)}, {"shininess", m.shininess}, {"reflection", m.reflection},
-            {"refraction", m.refraction}, {"ior", m.ior}, {"emission", vec(m.emission)}};
+  Json json{{"model", family_name(material_family(), m.model)},
+            {"ambient", vec(m.ambient)},
+            {"diffuse", vec(m.diffuse)},
+            {"specular", vec(m.specular)},
+            {"shininess", number(m.shininess)},
+            {"reflection", number(m.reflection)},
+            {"refraction", number(m.refraction)},
+            {"ior", number(m.ior)},
+            {"emission", vec(m.emission)}};
   if (!m.texture) return json;
   if (m.texture->type == TEXTURE_IMAGE)
     json["texture"] = path_text(m.texture->file, folder);
   else
-    json["texture"] = {{"type", "checker"}, {"colors", {vec(m.texture->colors[0]), vec(m.texture->colors[1])}}, {"scale", m.texture->scale}};
+    json["texture"] = {{"type", "checker"},
+                       {"colors", {vec(m.texture->colors[0]), vec(m.texture->colors[1])}},
+                       {"scale", number(m.texture->scale)}};
   return json;
 }
 
 struct GeometryJson {
   const Folder& folder;
-  Json operator()(const SphereDesc& s) const { return {{"type", "sphere"}, {"center", vec(s.center)}, {"radius", s.radius}}; }
-  Json operator()(const CylinderDesc& c) const {
-    return {{"type", "cylinder"}, {"base", vec(c.base)}, {"top", vec(c.top)}, {"radius", c.radius}};
+  Json operator()(const SphereDesc& s) const {
+    return {{"type", "sphere"}, {"center", vec(s.center)}, {"radius", number(s.radius)}};
   }
-  Json operator()(const PlaneDesc& p) const { return {{"type", "plane"}, {"point", vec(p.point)}, {"normal", vec(p.normal)}}; }
-  Json operator()(const QuadDesc& q) const { return {{"type", "quad"}, {"corner", vec(q.corner)}, {"u", vec(q.u)}, {"v", vec(q.v)}}; }
+  Json operator()(const CylinderDesc& c) const {
+    return {{"type", "cylinder"}, {"base", vec(c.base)}, {"top", vec(c.top)}, {"radius", number(c.radius)}};
+  }
+  Json operator()(const PlaneDesc& p) const {
+    return {{"type", "plane"}, {"point", vec(p.point)}, {"normal", vec(p.normal)}};
+  }
+  Json operator()(const QuadDesc& q) const {
+    return {{"type", "quad"}, {"corner", vec(q.corner)}, {"u", vec(q.u)}, {"v", vec(q.v)}};
+  }
   Json operator()(const BoxDesc& b) const {
     return {{"type", "box"}, {"min", vec(b.min)}, {"max", vec(b.max)}, {"transform", transform_json(b.transform)}};
   }
@@ -78,8 +107,10 @@ struct GeometryJson {
     return {{"type", "triangle"}, {"vertices", {vec(t.vertices[0]), vec(t.vertices[1]), vec(t.vertices[2])}}};
   }
   Json operator()(const MeshDesc& m) const {
-    return {{"type", "mesh"}, {"file", path_text(m.file, folder)},
-            {"shading", family_name(mesh_shading_family(), static_cast<int>(m.shading))}, {"transform", transform_json(m.transform)}};
+    return {{"type", "mesh"},
+            {"file", path_text(m.file, folder)},
+            {"shading", family_name(mesh_shading_family(), static_cast<int>(m.shading))},
+            {"transform", transform_json(m.transform)}};
   }
 };
 
@@ -91,13 +122,22 @@ Json density_json(const DensityDesc& d, const Folder& folder) {
   }
   if (d.type == "sphere") return {{"type", "sphere"}, {"of", density_json(*d.of, folder)}};
   Json json{{"type", d.type}, {"resolution", {d.resolution.x, d.resolution.y, d.resolution.z}}};
-  if (d.type == "constant") json["value"] = d.value;
+  if (d.type == "constant") json["value"] = number(d.value);
   if (d.type == "perlin") {
-    json["scale"] = d.scale;
+    json["scale"] = number(d.scale);
     json["octaves"] = d.octaves;
     json["seed"] = d.seed;
   }
   return json;
+}
+
+Json render_json(const RenderDesc& r) {
+  return {{"method", r.method == METHOD_AUTO ? "auto" : family_name(method_family(), r.method)},
+          {"step", number(r.step)},
+          {"in_scattering", "segment"},
+          {"shadow", "trace"},
+          {"max_depth", r.max_depth},
+          {"seed", r.seed}};
 }
 
 Json medium_json(const MediumDesc& m, const Folder& folder) {
@@ -110,30 +150,15 @@ Json medium_json(const MediumDesc& m, const Folder& folder) {
   json["sigma_s"] = vec(m.sigma_s);
   json["emission"] = vec(m.emission);
   json["phase"] = {{"type", family_name(phase_family(), m.phase)}};
-  if (m.phase == PHASE_HENYEY_GREENSTEIN) json["phase"]["g"] = m.g;
+  if (m.phase == PHASE_HENYEY_GREENSTEIN) json["phase"]["g"] = number(m.g);
   return json;
 }
 
-// Vectors stay on one line: lists of numbers are long otherwise.
-std::string compact_lists(const std::string& text) {
-  std::string out;
-  int depth = 0;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '[' && text.find_first_of("[{\"", i + 1) > text.find(']', i)) depth = 1;
-    if (depth > 0 && (text[i] == '\n' || (text[i] == ' ' && text[i - 1] != ','))) continue;
-    out += text[i];
-    if (depth > 0 && text[i] == ',') out += ' ';
-    if (text[i] == ']') depth = 0;
-  }
-  return out;
-}
-
-}  // namespace
-
-std::string scene_write(const SceneDesc& desc, const Folder& folder) {
+Json scene_json(const SceneDesc& desc, const Folder& folder) {
   Json json;
   json["camera"] = camera_json(desc.camera);
-  json["film"] = {{"size", {desc.film.size.x, desc.film.size.y}}, {"spp", desc.film.spp}, {"exposure", desc.film.exposure}};
+  json["film"] = {
+      {"size", {desc.film.size.x, desc.film.size.y}}, {"spp", desc.film.spp}, {"exposure", number(desc.film.exposure)}};
   json["background"] = vec(desc.background);
   json["ambient"] = vec(desc.ambient);
   json["lights"] = Json::array();
@@ -143,15 +168,24 @@ std::string scene_write(const SceneDesc& desc, const Folder& folder) {
   json["shapes"] = Json::array();
   for (const ShapeDesc& s : desc.shapes) {
     Json shape = std::visit(GeometryJson{folder}, s.geometry);
-    if (s.material >= 0) shape["material"] = desc.materials[s.material].name;
+    if (s.material >= 0) shape["material"] = desc.materials[static_cast<std::size_t>(s.material)].name;
     json["shapes"].push_back(shape);
   }
   json["media"] = Json::array();
   for (const MediumDesc& m : desc.media) json["media"].push_back(medium_json(m, folder));
-  json["render"] = {{"method", desc.render.method == METHOD_AUTO ? "auto" : family_name(method_family(), desc.render.method)},
-                    {"step", desc.render.step}, {"in_scattering", "segment"}, {"shadow", "trace"},
-                    {"max_depth", desc.render.max_depth}, {"seed", desc.render.seed}};
-  return compact_lists(json.dump(2)) + "\n";
+  json["render"] = render_json(desc.render);
+  return json;
+}
+
+}  // namespace
+
+std::string scene_write(const SceneDesc& desc, const Folder& folder) {
+  try {
+    return json_text(scene_json(desc, folder));
+  } catch (const nlohmann::json::
+               type_error&) {  // of dump(): the only text that is not from a scene file is a name of a file
+    throw InputError(desc.file.string() + ": the name of a file is not UTF-8, a scene cannot hold it");
+  }
 }
 
 }  // namespace brume

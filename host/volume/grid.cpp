@@ -30,7 +30,8 @@ void grid_expect_fits(std::string_view what, glm::i64vec3 size, double stored) {
   if (size.x < 1 || size.y < 1 || size.z < 1)
     throw InputError(place + ": a grid of " + size_text(size) + " samples, every size must be at least 1");
   if (size.x > INT32_MAX || size.y > INT32_MAX || size.z > INT32_MAX)
-    throw InputError(place + ": a grid of " + size_text(size) + " samples, no size may exceed " + std::to_string(INT32_MAX));
+    throw InputError(place + ": a grid of " + size_text(size) + " samples, no size may exceed " +
+                     std::to_string(INT32_MAX));
   const glm::i64vec3 blocks = blocks_of(size);
   const double table = double(blocks.x) * double(blocks.y) * double(blocks.z) * sizeof(std::int32_t);
   const double needed = table + stored * sizeof(float);
@@ -56,8 +57,8 @@ void Grid::set(ivec3 i, float value) {
 
 std::int32_t Grid::block_store() {
   if (stored_bytes() + sizeof(Block) > GRID_BYTES_MAX)
-    throw InputError((source.empty() ? "grid" : source) + ": a grid of " + size_text(size_) + " samples needs more than " +
-                     std::to_string(GRID_BYTES_MAX) + " bytes, allowed are that many");
+    throw InputError((source.empty() ? "grid" : source) + ": a grid of " + size_text(size_) +
+                     " samples needs more than " + std::to_string(GRID_BYTES_MAX) + " bytes, allowed are that many");
   pool_.emplace_back();  // zeros
   return static_cast<std::int32_t>(pool_.size() - 1);
 }

@@ -18,8 +18,8 @@ using glm::dmat4;
 using glm::dvec3;
 using glm::ivec3;
 
-inline constexpr int GRID_BLOCK = 8;                            // samples along a side of a block
-inline constexpr std::uint64_t GRID_BYTES_MAX = 8ull << 30;     // of one grid; larger ones are refused
+inline constexpr int GRID_BLOCK = 8;                         // samples along a side of a block
+inline constexpr std::uint64_t GRID_BYTES_MAX = 8ull << 30;  // of one grid; larger ones are refused
 
 // What lies beyond the outermost samples.
 //   CLAMP: samples at (i+0.5)/n of the bounds; within half a voxel of the border the outermost sample goes on (generators, raw).
@@ -39,7 +39,7 @@ class Grid {
   // Block b holds samples 8b ... 8b+7 of each axis, x fastest, then y, z; those beyond the grid are 0. 0 <= b < blocks.
   ivec3 blocks() const { return blocks_; }
   bool block_empty(ivec3 b) const { return table_[table_index(b)] < 0; }  // all 0 and not stored
-  const float* block(ivec3 b) const;                                     // its 512 samples, nullptr where empty
+  const float* block(ivec3 b) const;                                      // its 512 samples, nullptr where empty
 
   Border border = Border::CLAMP;
   // World position of lattice coordinates: sample i sits at world_from_lattice * (i + 0.5, i + 0.5, i + 0.5). In lattice
@@ -52,7 +52,8 @@ class Grid {
   using Block = std::array<float, GRID_BLOCK * GRID_BLOCK * GRID_BLOCK>;
   std::size_t table_index(ivec3 b) const {
     return (static_cast<std::size_t>(b.z) * static_cast<std::size_t>(blocks_.y) + static_cast<std::size_t>(b.y)) *
-               static_cast<std::size_t>(blocks_.x) + static_cast<std::size_t>(b.x);
+               static_cast<std::size_t>(blocks_.x) +
+           static_cast<std::size_t>(b.x);
   }
   static std::size_t sample_index(ivec3 i) {
     return static_cast<std::size_t>(((i.z & 7) << 6) | ((i.y & 7) << 3) | (i.x & 7));

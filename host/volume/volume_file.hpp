@@ -10,8 +10,8 @@ namespace brume {
 
 // One grid of a file, found without reading its voxels.
 struct VolumeGridInfo {
-  std::string name;  // by which it can be asked for; "density[1]" where several share a name
-  std::string type;  // of its values: "float", "double", "vec3s", ...
+  std::string name;        // by which it can be asked for; "density[1]" where several share a name
+  std::string type;        // of its values: "float", "double", "vec3s", ...
   std::string grid_class;  // "fog volume", "unknown", "level set", "staggered"
   std::uint64_t active_voxels = 0;
   ivec3 index_min{0}, index_max{-1};  // inclusive box of the active voxels; min > max where there are none

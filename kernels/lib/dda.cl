@@ -6,8 +6,8 @@
 
 typedef struct {
   float origin, inv_dir;
-  int step;         // -1, 0, 1
-  int brick, cell;  // cell in cell space, not brick-local
+  int step;                     // -1, 0, 1
+  int brick, cell;              // cell in cell space, not brick-local
   float brick_exit, cell_exit;  // s at which the ray leaves them along this axis
 } DdaAxis;
 

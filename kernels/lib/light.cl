@@ -31,7 +31,8 @@ static inline LightSample light_sample(__global const Light* lights, int index, 
     }
     s.travel = to_point / s.distance;
     if (light.falloff == FALLOFF_INVERSE_SQUARE) s.irradiance /= s.distance * s.distance;
-    if (USES_LIGHT(SPOT) && light.type == LIGHT_SPOT) s.irradiance *= spot_cone(&light, dot(s.travel, vec_unpack(light.direction)));
+    if (USES_LIGHT(SPOT) && light.type == LIGHT_SPOT)
+      s.irradiance *= spot_cone(&light, dot(s.travel, vec_unpack(light.direction)));
   }
   return s;
 }

@@ -47,9 +47,9 @@ static inline MediumRay medium_ray(const Medium* medium, float3 origin, float3 d
 // Up to W stretches of a ray, each inside one stored brick (or, for a constant medium, anywhere).
 typedef struct {
   int count;
-  float middle[W];  // s of the middle
-  float size[W];    // world length; 0 beyond count
-  int base[W];      // first voxel of the brick
+  float middle[W];                           // s of the middle
+  float size[W];                             // world length; 0 beyond count
+  int base[W];                               // first voxel of the brick
   float brick_x[W], brick_y[W], brick_z[W];  // its first cell
 } Segments;
 
@@ -77,7 +77,9 @@ static inline void segments_pad(Segments* out) {
 
 // Brick-local coordinate of every lane at s, and its cell. Clamping keeps a position that rounding put just outside its brick
 // in the brick; the interpolation goes on smoothly there.
-static inline intW local_cell(floatW position) { return clamp(lanes_to_int(floor(position)), (intW)(0), (intW)(BRICK_CELLS - 1)); }
+static inline intW local_cell(floatW position) {
+  return clamp(lanes_to_int(floor(position)), (intW)(0), (intW)(BRICK_CELLS - 1));
+}
 
 typedef struct {
   floatW x, y, z;
@@ -102,14 +104,15 @@ static inline floatW density_nearest(__global const float* voxels, const MediumR
   return here;
 }
 
-static inline floatW density_trilinear(__global const float* voxels, const MediumRay* ray, const Segments* at, floatW s) {
+static inline floatW density_trilinear(__global const float* voxels, const MediumRay* ray, const Segments* at,
+                                       floatW s) {
   const LocalPoint p = local_point(ray, at, s);
   const intW x = local_cell(p.x), y = local_cell(p.y), z = local_cell(p.z);
   const floatW fx = p.x - lanes_to_float(x), fy = p.y - lanes_to_float(y), fz = p.z - lanes_to_float(z);
   const intW i = sample_offset(at, x, y, z);
   floatW a, b;
-#define ALONG_X(out, offset)                     \
-  lanes_gather2(voxels, i + (offset), &a, &b);   \
+#define ALONG_X(out, offset)                   \
+  lanes_gather2(voxels, i + (offset), &a, &b); \
   const floatW out = mad_exact(fx, b - a, a)
   ALONG_X(v00, 0);
   ALONG_X(v10, BRICK_SAMPLES);

@@ -46,7 +46,8 @@ static inline float3 media_transmittance(const Scene* scene, float3 origin, floa
 }
 
 // Σ over lights of E · V · T · p at a point inside a medium, for light that goes on along `after`.
-static inline float3 light_scattered(const Scene* scene, const Medium* medium, float3 point, float3 after, MediumResult* result) {
+static inline float3 light_scattered(const Scene* scene, const Medium* medium, float3 point, float3 after,
+                                     MediumResult* result) {
   float3 sum = (float3)(0.0f);
   for (int l = 0; l < scene->frame->light_count; ++l) {
     const LightSample light = light_sample(scene->lights, l, point);
@@ -57,7 +58,8 @@ static inline float3 light_scattered(const Scene* scene, const Medium* medium, f
       result->shadow_key += (uint)(l + 1);
       continue;
     }
-    const float3 arriving = light.irradiance * media_transmittance(scene, point, to_light, light.distance, &result->lookups);
+    const float3 arriving =
+        light.irradiance * media_transmittance(scene, point, to_light, light.distance, &result->lookups);
     sum += arriving * phase_eval(medium->phase, medium->g, light.travel, after);
   }
   return sum;

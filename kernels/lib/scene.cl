@@ -28,17 +28,17 @@ typedef struct {
   __global const float* voxels;
 } Scene;
 
-#define SCENE_ARGS                                                                                                       \
-  __constant const Frame *frame, __global const Light *lights, __global const Material *materials,                       \
-      __global const Texture *textures, __global const float *texels, __global const Shape *shapes,                      \
-      __global const Triangle *triangles, __global const float *bvh_nodes, __global const int *bvh_links,                \
-      __global const float *bvh_blocks, __global const int *bvh_ids, __global const Medium *media,                       \
+#define SCENE_ARGS                                                                                        \
+  __constant const Frame *frame, __global const Light *lights, __global const Material *materials,        \
+      __global const Texture *textures, __global const float *texels, __global const Shape *shapes,       \
+      __global const Triangle *triangles, __global const float *bvh_nodes, __global const int *bvh_links, \
+      __global const float *bvh_blocks, __global const int *bvh_ids, __global const Medium *media,        \
       __global const int *bricks, __global const float *voxels
 
-#define SCENE_PACK                                                                                                      \
-  {                                                                                                                     \
-    frame, lights, materials, textures, texels, shapes, triangles, bvh_nodes, bvh_links, bvh_blocks, bvh_ids, media,    \
-        bricks, voxels                                                                                                  \
+#define SCENE_PACK                                                                                                   \
+  {                                                                                                                  \
+    frame, lights, materials, textures, texels, shapes, triangles, bvh_nodes, bvh_links, bvh_blocks, bvh_ids, media, \
+        bricks, voxels                                                                                               \
   }
 
 #endif

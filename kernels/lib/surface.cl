@@ -57,7 +57,8 @@ static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* 
     const Triangle t = scene->triangles[hit->primitive - FIRST_TRIANGLE];
     const float w = 1.0f - hit->u - hit->v;
     s.normal = triangle_normals(&t, hit, &s.geometric_normal);
-    s.uv = (float2)(w * t.uv[0] + hit->u * t.uv[2] + hit->v * t.uv[4], w * t.uv[1] + hit->u * t.uv[3] + hit->v * t.uv[5]);
+    s.uv =
+        (float2)(w * t.uv[0] + hit->u * t.uv[2] + hit->v * t.uv[4], w * t.uv[1] + hit->u * t.uv[3] + hit->v * t.uv[5]);
     s.material = t.material;
   } else
 #endif

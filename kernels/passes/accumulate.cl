@@ -12,7 +12,8 @@ static inline void packed_add(Packed3* sum, Packed3 v) {
 }
 
 __kernel void accumulate(uint first_pixel, uint pixels, uint samples, __global const Hit* hits,
-                         __global const MediumResult* results, __global const Sample* finished, __global FilmPixel* film) {
+                         __global const MediumResult* results, __global const Sample* finished,
+                         __global FilmPixel* film) {
   const uint pixel = (uint)get_global_id(0);
   if (pixel >= pixels) return;
   FilmPixel sum = film[first_pixel + pixel];

@@ -2,8 +2,8 @@
 #include "lib/camera.cl"
 #include "shapes/shapes.cl"
 
-__kernel void primary_rays(SCENE_ARGS, uint first_pixel, uint first_sample, uint samples, uint count, __global Ray* rays,
-                           __global Hit* hits) {
+__kernel void primary_rays(SCENE_ARGS, uint first_pixel, uint first_sample, uint samples, uint count,
+                           __global Ray* rays, __global Hit* hits) {
   const uint item = (uint)get_global_id(0);
   if (item >= count) return;
   const Scene scene = SCENE_PACK;

@@ -3,7 +3,8 @@
 #include "lib/material.cl"
 
 __kernel void shade(SCENE_ARGS, uint count, __global const Ray* rays, __global const Hit* hits,
-                    __global const MediumResult* results, __global const LightArrival* arrivals, __global Sample* samples) {
+                    __global const MediumResult* results, __global const LightArrival* arrivals,
+                    __global Sample* samples) {
   const uint item = (uint)get_global_id(0);
   if (item >= count) return;
   const Scene scene = SCENE_PACK;

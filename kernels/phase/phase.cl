@@ -9,7 +9,8 @@
 
 // 1/sr; before and after are unit.
 static inline float phase_eval(int phase, float g, float3 before, float3 after) {
-  if (USES_PHASE(HENYEY_GREENSTEIN) && phase == PHASE_HENYEY_GREENSTEIN) return henyey_greenstein_eval(g, before, after);
+  if (USES_PHASE(HENYEY_GREENSTEIN) && phase == PHASE_HENYEY_GREENSTEIN)
+    return henyey_greenstein_eval(g, before, after);
   return isotropic_eval();
 }
 

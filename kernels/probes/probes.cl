@@ -7,10 +7,10 @@
 #include "shared/aov.h"
 
 #define PROBE(name) __kernel void name(SCENE_ARGS, uint count, __global const float* in, __global float* out)
-#define PROBE_ITEM                             \
-  const uint item = (uint)get_global_id(0);    \
-  if (item >= count) return;                   \
-  const Scene scene = SCENE_PACK;              \
+#define PROBE_ITEM                          \
+  const uint item = (uint)get_global_id(0); \
+  if (item >= count) return;                \
+  const Scene scene = SCENE_PACK;           \
   (void)scene
 
 static inline float3 probe_load3(__global const float* p) { return (float3)(p[0], p[1], p[2]); }
@@ -136,9 +136,9 @@ PROBE(probe_integral) {
 PROBE(probe_layout) {
   PROBE_ITEM;
   (void)in;
-  const float sizes[] = {sizeof(Packed3), sizeof(Affine), sizeof(Camera), sizeof(Frame),  sizeof(Light),
-                         sizeof(Material), sizeof(Texture), sizeof(Shape), sizeof(Triangle), sizeof(Medium),
-                         sizeof(Ray),     sizeof(Hit),    sizeof(MediumResult), sizeof(LightArrival), sizeof(Sample),
-                         sizeof(FilmPixel)};
+  const float sizes[] = {sizeof(Packed3),      sizeof(Affine),       sizeof(Camera),  sizeof(Frame),
+                         sizeof(Light),        sizeof(Material),     sizeof(Texture), sizeof(Shape),
+                         sizeof(Triangle),     sizeof(Medium),       sizeof(Ray),     sizeof(Hit),
+                         sizeof(MediumResult), sizeof(LightArrival), sizeof(Sample),  sizeof(FilmPixel)};
   for (int i = 0; i < (int)(sizeof(sizes) / sizeof(float)); ++i) out[i] = sizes[i];
 }

@@ -22,7 +22,8 @@ static inline int box_cut(float3 lo, float3 hi, float3 o, float3 d, float* t0, f
 // Hit of the unit cube in its own space; t is the world's because the map is affine.
 static inline float box_hit(const Affine* unit_from_world, float3 origin, float3 dir) {
   float t0 = -INFINITY, t1 = INFINITY;
-  if (!box_cut((float3)(0.0f), (float3)(1.0f), affine_point(unit_from_world, origin), affine_dir(unit_from_world, dir), &t0, &t1))
+  if (!box_cut((float3)(0.0f), (float3)(1.0f), affine_point(unit_from_world, origin), affine_dir(unit_from_world, dir),
+               &t0, &t1))
     return INFINITY;
   return t0 > 0.0f ? t0 : (t1 > 0.0f ? t1 : INFINITY);
 }
@@ -30,7 +31,8 @@ static inline float box_hit(const Affine* unit_from_world, float3 origin, float3
 // Outward normal and uv of the face to which the point is nearest.
 static inline float3 box_normal(const Affine* a, float3 point, float2* uv) {
   const float3 p = affine_point(a, point);
-  const float3 d = (float3)(fmin(fabs(p.x), fabs(1.0f - p.x)), fmin(fabs(p.y), fabs(1.0f - p.y)), fmin(fabs(p.z), fabs(1.0f - p.z)));
+  const float3 d =
+      (float3)(fmin(fabs(p.x), fabs(1.0f - p.x)), fmin(fabs(p.y), fabs(1.0f - p.y)), fmin(fabs(p.z), fabs(1.0f - p.z)));
   if (d.x <= d.y && d.x <= d.z) {
     *uv = p.yz;
     return normalize((float3)(a->m[0], a->m[1], a->m[2])) * (p.x < 0.5f ? -1.0f : 1.0f);

@@ -28,7 +28,7 @@ static inline BoxRay box_ray(float3 origin, float3 dir) {
 
 // Entry distances of W boxes; INFINITY for a miss. The far side is widened by 2 γ(3) [Ize13].
 static inline floatW box_hits(const BoxRay* r, __global const float* node, float t_max) {
-#define PLANE(run) lanes_load(node + (run) * BRUME_BVH_WIDTH)
+#define PLANE(run) lanes_load(node + (run)*BRUME_BVH_WIDTH)
   const floatW x0 = (PLANE(r->near_x) - r->origin.x) * r->inv_d.x, x1 = (PLANE(r->far_x) - r->origin.x) * r->inv_d.x;
   const floatW y0 = (PLANE(r->near_y) - r->origin.y) * r->inv_d.y, y1 = (PLANE(r->far_y) - r->origin.y) * r->inv_d.y;
   const floatW z0 = (PLANE(r->near_z) - r->origin.z) * r->inv_d.z, z1 = (PLANE(r->far_z) - r->origin.z) * r->inv_d.z;
@@ -44,7 +44,8 @@ typedef struct {
 } BvhEntry;
 
 // Puts the hit children of a node on the stack, the nearest on top.
-static inline int bvh_push_children(const Scene* scene, const BoxRay* box, int node, float t_max, BvhEntry* stack, int top) {
+static inline int bvh_push_children(const Scene* scene, const BoxRay* box, int node, float t_max, BvhEntry* stack,
+                                    int top) {
   const int first = top;
   for (int group = 0; group < BRUME_BVH_WIDTH; group += W) {
     float t[W];

@@ -36,7 +36,7 @@ typedef struct {
 
 // p: 9 runs of BRUME_BVH_WIDTH floats, the block's first lane of this group.
 static inline TriangleHits triangle_hits(const ShearedRay* r, __global const float* p, float t_max) {
-#define CORNER(c, k) lanes_load(p + ((c) * 3 + (k)) * BRUME_BVH_WIDTH)
+#define CORNER(c, k) lanes_load(p + ((c)*3 + (k)) * BRUME_BVH_WIDTH)
   const floatW az = CORNER(0, r->kz) - r->oz, bz = CORNER(1, r->kz) - r->oz, cz = CORNER(2, r->kz) - r->oz;
   const floatW ax = CORNER(0, r->kx) - r->ox - r->sx * az, ay = CORNER(0, r->ky) - r->oy - r->sy * az;
   const floatW bx = CORNER(1, r->kx) - r->ox - r->sx * bz, by = CORNER(1, r->ky) - r->oy - r->sy * bz;

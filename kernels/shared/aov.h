@@ -4,7 +4,7 @@
 #include "shared/platform.h"
 
 // ROW(ID, name, channels, help)
-#define BRUME_AOVS(ROW)                                                                                           \
+#define BRUME_AOVS(ROW)                                                                                            \
   ROW(DEPTH, "depth", 1, "distance to the first surface, mean over the samples that hit one; inf where none does") \
   ROW(NORMAL, "normal", 3, "unit shading normal of the first surface in world space; 0 where there is none")       \
   ROW(TRANSMITTANCE, "transmittance", 3, "of all media between the camera and the first surface")                  \
@@ -24,9 +24,9 @@ typedef struct {
   Packed3 radiance;
   float samples;
   Packed3 normal;
-  float depth;      // sum over the samples that hit
+  float depth;  // sum over the samples that hit
   Packed3 transmittance;
-  float hits;       // samples that hit a surface
+  float hits;  // samples that hit a surface
   float lookups;
   uint key;
   float shadow_rays;

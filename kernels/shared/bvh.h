@@ -8,7 +8,7 @@
 #define BRUME_SHARED_BVH_H
 #include "shared/platform.h"
 
-#define BVH_STACK 96           // entries; the builder asserts that no traversal can need more
+#define BVH_STACK 96  // entries; the builder asserts that no traversal can need more
 #define BVH_LEAF_BLOCKS_MAX 15
 #define BVH_ABSENT 0x7fffffff  // link of an absent child
 #endif

@@ -3,8 +3,8 @@
 #define BRUME_SHARED_CAMERA_H
 #include "shared/platform.h"
 
-#define BRUME_CAMERAS(ROW)                                                              \
-  ROW(PERSPECTIVE, "perspective", "pinhole at eye, vertical opening vfov in degrees")   \
+#define BRUME_CAMERAS(ROW)                                                            \
+  ROW(PERSPECTIVE, "perspective", "pinhole at eye, vertical opening vfov in degrees") \
   ROW(ORTHOGRAPHIC, "orthographic", "parallel rays, height of the view in world units")
 
 BRUME_SHARED_BEGIN
@@ -22,7 +22,7 @@ typedef struct {
   Packed3 eye;
   int type;
   Packed3 forward;
-  int width;   // film size in pixels
+  int width;  // film size in pixels
   Packed3 right;
   int height;
   Packed3 up;

@@ -4,9 +4,9 @@
 #define BRUME_SHARED_LIGHT_H
 #include "shared/platform.h"
 
-#define BRUME_LIGHTS(ROW)                                                                        \
-  ROW(POINT, "point", "position, intensity in W/sr, falloff")                                    \
-  ROW(DIRECTIONAL, "directional", "direction in which the light travels, irradiance in W/m²")    \
+#define BRUME_LIGHTS(ROW)                                                                     \
+  ROW(POINT, "point", "position, intensity in W/sr, falloff")                                 \
+  ROW(DIRECTIONAL, "directional", "direction in which the light travels, irradiance in W/m²") \
   ROW(SPOT, "spot", "a point light within a cone of half-angle `angle` degrees about direction")
 
 #define BRUME_FALLOFFS(ROW)                                   \

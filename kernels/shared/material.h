@@ -4,13 +4,13 @@
 #define BRUME_SHARED_MATERIAL_H
 #include "shared/platform.h"
 
-#define BRUME_MATERIALS(ROW)                                                 \
-  ROW(LAMBERT, "lambert", "diffuse only")                                    \
-  ROW(PHONG, "phong", "diffuse and specular (R·V)^shininess")                \
+#define BRUME_MATERIALS(ROW)                                  \
+  ROW(LAMBERT, "lambert", "diffuse only")                     \
+  ROW(PHONG, "phong", "diffuse and specular (R·V)^shininess") \
   ROW(BLINN_PHONG, "blinn_phong", "diffuse and specular (N·H)^shininess")
 
-#define BRUME_TEXTURES(ROW)                                                                          \
-  ROW(IMAGE, "image", "an image file: bilinear, repeated, v = 0 at the bottom row; times diffuse")   \
+#define BRUME_TEXTURES(ROW)                                                                        \
+  ROW(IMAGE, "image", "an image file: bilinear, repeated, v = 0 at the bottom row; times diffuse") \
   ROW(CHECKER, "checker", "two colors in squares of 1/scale texture units; times diffuse")
 
 BRUME_SHARED_BEGIN

@@ -21,22 +21,22 @@ enum MediumRegion { REGION_BOX, REGION_SPHERE };  // sphere: the ellipsoid inscr
 // ranges:  2 floats (min, max of the samples) per brick at the same index.
 typedef struct {
   Affine cell_from_world;
-  Packed3 lo;         // the medium fills [lo, hi] in cell space
+  Packed3 lo;  // the medium fills [lo, hi] in cell space
   int brick_offset;
   Packed3 hi;
   int interpolation;
-  Packed3 sigma_a;    // per world unit, times density
+  Packed3 sigma_a;  // per world unit, times density
   int phase;
   Packed3 sigma_s;
   float g;
-  Packed3 emission;   // reserved for emitting media
+  Packed3 emission;  // reserved for emitting media
   int region;
   int cells_x, cells_y, cells_z;     // cells of the grid; cells outside [lo, hi] may exist as padding
   int brick_nx, brick_ny, brick_nz;  // ceil(cells / BRICK_CELLS)
-  float constant_density;  // where is_constant
-  int is_constant;    // no bricks: the density is constant_density all over the region
-  float step;         // world length of a marching step for this medium
-  int method;         // Method, resolved: never auto
+  float constant_density;            // where is_constant
+  int is_constant;                   // no bricks: the density is constant_density all over the region
+  float step;                        // world length of a marching step for this medium
+  int method;                        // Method, resolved: never auto
   float pad[2];
 } Medium;
 BRUME_LAYOUT(Medium, 176);

@@ -9,15 +9,17 @@
 #define FITS_CONSTANT 4
 
 // ROW(ID, name, fits, has a step, help)
-#define BRUME_METHODS(ROW)                                                                                              \
-  ROW(DDA_NEAREST, "dda_nearest", FITS_NEAREST, 0, "voxel by voxel; exact for nearest")                                 \
-  ROW(DDA_GAUSS2, "dda_gauss2", FITS_TRILINEAR, 0, "cell by cell, 2-point Gauss-Legendre; exact for trilinear")         \
-  ROW(DDA_MIDPOINT, "dda_midpoint", FITS_TRILINEAR, 0, "cell by cell, one sample in the middle")                        \
-  ROW(MARCH_MIDPOINT, "march_midpoint", FITS_NEAREST | FITS_TRILINEAR, 1, "equal steps, one sample in the middle of each") \
-  ROW(HOMOGENEOUS, "homogeneous", FITS_CONSTANT, 1, "closed form for a constant density (also cut to a sphere); equal steps for the light")
+#define BRUME_METHODS(ROW)                                                                                      \
+  ROW(DDA_NEAREST, "dda_nearest", FITS_NEAREST, 0, "voxel by voxel; exact for nearest")                         \
+  ROW(DDA_GAUSS2, "dda_gauss2", FITS_TRILINEAR, 0, "cell by cell, 2-point Gauss-Legendre; exact for trilinear") \
+  ROW(DDA_MIDPOINT, "dda_midpoint", FITS_TRILINEAR, 0, "cell by cell, one sample in the middle")                \
+  ROW(MARCH_MIDPOINT, "march_midpoint", FITS_NEAREST | FITS_TRILINEAR, 1,                                       \
+      "equal steps, one sample in the middle of each")                                                          \
+  ROW(HOMOGENEOUS, "homogeneous", FITS_CONSTANT, 1,                                                             \
+      "closed form for a constant density (also cut to a sphere); equal steps for the light")
 
-#define BRUME_INTERPOLATIONS(ROW)                                   \
-  ROW(NEAREST, "nearest", "constant per voxel")                     \
+#define BRUME_INTERPOLATIONS(ROW)               \
+  ROW(NEAREST, "nearest", "constant per voxel") \
   ROW(TRILINEAR, "trilinear", "blends the eight nearest samples")
 
 BRUME_SHARED_BEGIN

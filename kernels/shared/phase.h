@@ -4,8 +4,8 @@
 #define BRUME_SHARED_PHASE_H
 #include "shared/platform.h"
 
-#define BRUME_PHASES(ROW)                                                                         \
-  ROW(ISOTROPIC, "isotropic", "1/(4π)")                                                           \
+#define BRUME_PHASES(ROW)               \
+  ROW(ISOTROPIC, "isotropic", "1/(4π)") \
   ROW(HENYEY_GREENSTEIN, "henyey_greenstein", "(1-g²)/(4π(1+g²-2g cosθ)^1.5), -1 < g < 1, g > 0 forward")
 
 BRUME_SHARED_BEGIN

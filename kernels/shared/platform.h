@@ -11,7 +11,7 @@
 #include <cstdint>
 #define BRUME_SHARED_BEGIN namespace brume {
 #define BRUME_SHARED_END }
-#define BRUME_LAYOUT(type, size)                                               \
+#define BRUME_LAYOUT(type, size)                                                \
   static_assert(sizeof(type) == (size), #type " has another size on the host"); \
   static_assert(alignof(type) == 4, #type " must hold 4-byte scalars only")
 #endif

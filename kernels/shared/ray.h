@@ -6,8 +6,8 @@
 BRUME_SHARED_BEGIN
 typedef struct {
   Packed3 origin;
-  uint pixel;    // y * width + x, y = 0 at the top
-  Packed3 dir;   // unit, world space
+  uint pixel;   // y * width + x, y = 0 at the top
+  Packed3 dir;  // unit, world space
   uint sample;
 } Ray;
 BRUME_LAYOUT(Ray, 32);
@@ -23,9 +23,10 @@ BRUME_LAYOUT(Hit, 16);
 // What a medium did to one ray from its origin to the hit.
 typedef struct {
   Packed3 transmittance;
-  uint lookups;    // density fetches, shadow rays included
+  uint lookups;      // density fetches, shadow rays included
   Packed3 radiance;  // in-scattered, as it arrives at the origin
-  uint shadow_key;  // counts the samples whose light was blocked by a surface: two renderers agree on it or sit at an edge
+  uint
+      shadow_key;  // counts the samples whose light was blocked by a surface: two renderers agree on it or sit at an edge
   uint shadow_rays;
   uint pad[3];
 } MediumResult;

@@ -13,7 +13,8 @@ static inline void cells_step(Dda* d, float exit) {
   }
 }
 
-static inline void cells_fill(const Medium* medium, __global const int* bricks, const MediumRay* ray, Dda* d, Segments* out) {
+static inline void cells_fill(const Medium* medium, __global const int* bricks, const MediumRay* ray, Dda* d,
+                              Segments* out) {
   out->count = 0;
   while (out->count < W) {
     if (!(d->s < d->brick_end)) {

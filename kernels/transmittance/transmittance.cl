@@ -50,13 +50,15 @@ static inline uint walk_lookups(const Medium* medium, const Segments* at) {
 }
 
 // ∫ρ over the whole stretch; the rest is left out once it exceeds `stop`.
-static inline float walk_total(const Scene* scene, const Medium* medium, const MediumRay* ray, float stop, uint* lookups) {
+static inline float walk_total(const Scene* scene, const Medium* medium, const MediumRay* ray, float stop,
+                               uint* lookups) {
   if (!(ray->length > 0.0f)) return 0.0f;
   if (METHOD_IS(medium, HOMOGENEOUS)) return homogeneous_total(medium, ray);
   Walk walk = walk_begin(medium, ray);
   Segments at;
   float total = 0.0f;
-  for (walk_next(scene, medium, ray, &walk, &at); at.count > 0 && total < stop; walk_next(scene, medium, ray, &walk, &at)) {
+  for (walk_next(scene, medium, ray, &walk, &at); at.count > 0 && total < stop;
+       walk_next(scene, medium, ray, &walk, &at)) {
     total += lanes_sum(walk_integral(scene, medium, ray, &at));
     *lookups += walk_lookups(medium, &at);
   }

@@ -1,6 +1,8 @@
 // brume check on PoCL for every lane width: each device function and each picture within its tolerance. PoCL is never skipped.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "check/check.hpp"
 
 namespace brume {
@@ -14,8 +16,8 @@ TEST_P(Check, KernelsAgreeWithTheReference) {
   options.lanes = {GetParam()};
   options.size = 64;
   const std::vector<CheckRow> rows = check_run(context, options, [](const CheckRow& row) {
-    EXPECT_TRUE(row.passed()) << row.name << ": max error " << row.max_error << ", allowed " << row.allowed.limit << ", edges "
-                              << row.edges << " of " << row.items;
+    EXPECT_TRUE(row.passed()) << row.name << ": max error " << row.max_error << ", allowed " << row.allowed.limit
+                              << ", edges " << row.edges << " of " << row.items;
   });
   EXPECT_GE(rows.size(), 40u);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "check/check_images.hpp"
 #include "flat/flatten.hpp"
 #include "reference/render.hpp"
+#include "reference/sampling.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene_reader.hpp"
 
@@ -32,11 +34,12 @@ inline FlatScene scene_flat(const std::string& name, const std::vector<std::stri
 }
 
 inline void expect_relative(double value, double expected, double limit, const std::string& where) {
-  EXPECT_LE(std::abs(value - expected), limit * std::abs(expected)) << where << ": " << value << " instead of " << expected;
+  EXPECT_LE(std::abs(value - expected), limit * std::abs(expected))
+      << where << ": " << value << " instead of " << expected;
 }
 
-inline void expect_closed_form(const std::string& name, const ClosedForm& form, const std::vector<std::string>& overrides = {},
-                               int scatter_order = 0) {
+inline void expect_closed_form(const std::string& name, const ClosedForm& form,
+                               const std::vector<std::string>& overrides = {}, int scatter_order = 0) {
   const FlatScene scene = scene_flat(name, overrides, 4);
   const reference::Context context(scene, {scatter_order, 1});
   const Camera& camera = scene.frame.camera;
@@ -51,8 +54,9 @@ inline void expect_closed_form(const std::string& name, const ClosedForm& form, 
     for (int y = 0; y < camera.height; ++y)
       for (int x = 0; x < camera.width; ++x) {
         const reference::RayD ray = reference::camera_ray(camera, x, y, {0.5, 0.5});
-        expect_relative(film.pixels()[y * camera.width + x].radiance.y, form(scene, ray), KERNEL_LIMIT,
-                        name + ", " + std::to_string(lanes) + " lanes, pixel " + std::to_string(x) + "," + std::to_string(y));
+        expect_relative(
+            film.pixels()[y * camera.width + x].radiance.y, form(scene, ray), KERNEL_LIMIT,
+            name + ", " + std::to_string(lanes) + " lanes, pixel " + std::to_string(x) + "," + std::to_string(y));
       }
   }
 }

@@ -18,9 +18,12 @@ TEST(MediaForms, SlabByEveryMethodThatFits) {
 }
 
 TEST(MediaForms, RampAlongObliqueRays) {
-  const ClosedForm form = [](const FlatScene&, const reference::RayD& ray) { return std::exp(-0.875 / std::abs(ray.dir.y)); };
+  const ClosedForm form = [](const FlatScene&, const reference::RayD& ray) {
+    return std::exp(-0.875 / std::abs(ray.dir.y));
+  };
   expect_closed_form("ramp.json", form, {"/render/method=dda_gauss2"});
-  expect_closed_form("ramp.json", form, {"/render/method=dda_midpoint"});  // the ramp is linear: the middle is exact too
+  expect_closed_form("ramp.json", form,
+                     {"/render/method=dda_midpoint"});  // the ramp is linear: the middle is exact too
 }
 
 TEST(MediaForms, SphereChord) {
@@ -31,21 +34,28 @@ TEST(MediaForms, SphereChord) {
 }
 
 TEST(MediaForms, SingleScatteringFromTheFront) {
-  const ClosedForm form = [](const FlatScene&, const reference::RayD&) { return 0.75 * ISOTROPIC * 8 * (1 - std::exp(-4.0)) / 2; };
+  const ClosedForm form = [](const FlatScene&, const reference::RayD&) {
+    return 0.75 * ISOTROPIC * 8 * (1 - std::exp(-4.0)) / 2;
+  };
   expect_closed_form("scatter_front.json", form, {}, 8);
 }
 
 TEST(MediaForms, SingleScatteringFromBehind) {
-  const ClosedForm form = [](const FlatScene&, const reference::RayD&) { return 0.75 * ISOTROPIC * 8 * 2 * std::exp(-2.0); };
+  const ClosedForm form = [](const FlatScene&, const reference::RayD&) {
+    return 0.75 * ISOTROPIC * 8 * 2 * std::exp(-2.0);
+  };
   expect_closed_form("scatter_back.json", form, {}, 8);
 }
 
 TEST(MediaForms, ForwardLobeOfHenyeyGreenstein) {
   // From behind all light goes straight on: p(0) = (1-g²)/(4π(1-g)³), in front it turns back: p(π) = (1-g²)/(4π(1+g)³).
-  const double g = 0.75, forward = (1 - g * g) / (4 * M_PI * std::pow(1 - g, 3)), back = (1 - g * g) / (4 * M_PI * std::pow(1 + g, 3));
+  const double g = 0.75, forward = (1 - g * g) / (4 * M_PI * std::pow(1 - g, 3)),
+               back = (1 - g * g) / (4 * M_PI * std::pow(1 + g, 3));
   const std::string phase = R"(/media/0/phase={"type":"henyey_greenstein","g":0.75})";
-  expect_closed_form("scatter_back.json", [&](auto&&...) { return 0.75 * forward * 8 * 2 * std::exp(-2.0); }, {phase}, 8);
-  expect_closed_form("scatter_front.json", [&](auto&&...) { return 0.75 * back * 8 * (1 - std::exp(-4.0)) / 2; }, {phase}, 8);
+  expect_closed_form(
+      "scatter_back.json", [&](auto&&...) { return 0.75 * forward * 8 * 2 * std::exp(-2.0); }, {phase}, 8);
+  expect_closed_form(
+      "scatter_front.json", [&](auto&&...) { return 0.75 * back * 8 * (1 - std::exp(-4.0)) / 2; }, {phase}, 8);
 }
 
 }  // namespace

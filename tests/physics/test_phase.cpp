@@ -25,8 +25,8 @@ Moments phase_moments(int phase, double g, int lanes) {
       const double x = (piece + node.x) / PIECES;
       const double away = M_PI * x * x * x;
       const double theta = g < 0 ? M_PI - away : away;
-      for (const float v : {bits_as_float(phase), static_cast<float>(g), 0.0f, 0.0f, 1.0f, static_cast<float>(std::sin(theta)), 0.0f,
-                            static_cast<float>(std::cos(theta))})
+      for (const float v : {bits_as_float(phase), static_cast<float>(g), 0.0f, 0.0f, 1.0f,
+                            static_cast<float>(std::sin(theta)), 0.0f, static_cast<float>(std::cos(theta))})
         in.push_back(v);
       weights.push_back(2 * M_PI * std::sin(theta) * 3 * M_PI * x * x * node.weight / PIECES);
       cosines.push_back(std::cos(theta));

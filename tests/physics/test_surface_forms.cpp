@@ -24,13 +24,15 @@ TEST(SurfaceForms, BlinnPhongHighlight) {
 }
 
 TEST(SurfaceForms, PhongHighlight) {
-  expect_closed_form("blinn_phong.json", [](const FlatScene& scene, const reference::RayD& ray) {
-    const Packed3& l = scene.lights[0].direction;
-    const dvec3 to_light = -glm::normalize(dvec3(l.x, l.y, l.z));
-    if (ray.dir.y >= 0) return 0.0;
-    const dvec3 mirrored(-to_light.x, to_light.y, -to_light.z);
-    return 2 * 0.5 * std::pow(std::max(0.0, glm::dot(mirrored, -ray.dir)), 32);
-  }, {"/materials/shiny/model=phong"});
+  expect_closed_form("blinn_phong.json",
+                     [](const FlatScene& scene, const reference::RayD& ray) {
+                       const Packed3& l = scene.lights[0].direction;
+                       const dvec3 to_light = -glm::normalize(dvec3(l.x, l.y, l.z));
+                       if (ray.dir.y >= 0) return 0.0;
+                       const dvec3 mirrored(-to_light.x, to_light.y, -to_light.z);
+                       return 2 * 0.5 * std::pow(std::max(0.0, glm::dot(mirrored, -ray.dir)), 32);
+                     },
+                     {"/materials/shiny/model=phong"});
 }
 
 }  // namespace

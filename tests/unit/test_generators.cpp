@@ -28,9 +28,8 @@ void for_each(ivec3 size, const std::function<void(ivec3)>& visit) {
 }
 
 void expect_samples(const Grid& grid, const std::function<double(ivec3)>& expected, double tolerance = 1e-7) {
-  for_each(grid.size(), [&](ivec3 i) {
-    ASSERT_NEAR(grid.at(i), expected(i), tolerance) << i.x << " " << i.y << " " << i.z;
-  });
+  for_each(grid.size(),
+           [&](ivec3 i) { ASSERT_NEAR(grid.at(i), expected(i), tolerance) << i.x << " " << i.y << " " << i.z; });
 }
 
 std::string refusal(const DensitySpec& spec) {
@@ -102,7 +101,8 @@ TEST(Perlin, OctavesHalveAndDouble) {
   const Grid half = density_make(spec);
   spec.scale /= 2;
   spec.octaves = 2;
-  expect_samples(density_make(spec), [&](ivec3 i) { return 0.5 + ((one.at(i) - 0.5) + (half.at(i) - 0.5) / 2) / 1.5; }, 1e-6);
+  expect_samples(
+      density_make(spec), [&](ivec3 i) { return 0.5 + ((one.at(i) - 0.5) + (half.at(i) - 0.5) / 2) / 1.5; }, 1e-6);
 }
 
 TEST(Perlin, ScaleCountsCellsAlongTheLongestSide) {
@@ -134,7 +134,9 @@ TEST(Perlin, SeedsDifferAndRepeat) {
 TEST(Perlin, GoldenChecksum) {
   std::uint64_t sum = 0;
   const Grid grid = density_make(spec_of("perlin", {24, 16, 8}));
-  for_each(grid.size(), [&](ivec3 i) { sum = sum * 1099511628211ull + static_cast<std::uint64_t>(std::lround(grid.at(i) * 65536)); });
+  for_each(grid.size(), [&](ivec3 i) {
+    sum = sum * 1099511628211ull + static_cast<std::uint64_t>(std::lround(grid.at(i) * 65536));
+  });
   EXPECT_EQ(sum, 2992679865263205626ull);
 }
 
@@ -155,7 +157,8 @@ TEST(Sphere, KeepsWhatLiesInTheInscribedEllipsoid) {
 }
 
 TEST(Generators, RefuseWhatTheyCannotMake) {
-  EXPECT_THAT(refusal(spec_of("linear", {4, 0, 4})), AllOf(HasSubstr("density 'linear': resolution"), HasSubstr("4x0x4")));
+  EXPECT_THAT(refusal(spec_of("linear", {4, 0, 4})),
+              AllOf(HasSubstr("density 'linear': resolution"), HasSubstr("4x0x4")));
   EXPECT_THAT(refusal(spec_of("perlin", ivec3(4096))), AllOf(HasSubstr("4096x4096x4096"), HasSubstr("bytes")));
   EXPECT_THAT(refusal(spec_of("sphere", ivec3(4))), HasSubstr("of: missing"));
   EXPECT_THAT(refusal(spec_of("file", ivec3(4))), HasSubstr("no such file"));

@@ -101,8 +101,10 @@ TEST(Grid, AddressesBeyond32Bits) {
 TEST(Grid, RefusesSizesThatCannotBe) {
   EXPECT_THAT(refusal({4, 0, 4}), AllOf(HasSubstr("4x0x4"), HasSubstr("at least 1")));
   EXPECT_THAT(refusal({4, 4, -7}), HasSubstr("4x4x-7"));
-  EXPECT_THAT(refusal(ivec3(INT32_MAX)), AllOf(HasSubstr("2147483647x2147483647x2147483647"), HasSubstr("bytes"), HasSubstr("8589934592")));
-  EXPECT_THAT(refusal({65536, 65536, 65536}), HasSubstr("needs at least 2199023255552 bytes"));  // (2¹³)³ blocks of 4 bytes
+  EXPECT_THAT(refusal(ivec3(INT32_MAX)),
+              AllOf(HasSubstr("2147483647x2147483647x2147483647"), HasSubstr("bytes"), HasSubstr("8589934592")));
+  EXPECT_THAT(refusal({65536, 65536, 65536}),
+              HasSubstr("needs at least 2199023255552 bytes"));  // (2¹³)³ blocks of 4 bytes
 }
 
 TEST(Grid, ExpectFitsCountsTheSamplesToo) {
@@ -111,7 +113,8 @@ TEST(Grid, ExpectFitsCountsTheSamplesToo) {
     grid_expect_fits("here", {2048, 2048, 2048}, 2048.0 * 2048 * 2048);
     FAIL() << "accepted 32 GiB";
   } catch (const InputError& e) {
-    EXPECT_THAT(e.what(), AllOf(HasSubstr("here: a grid of 2048x2048x2048"), HasSubstr("34426847232 bytes")));  // 2³⁵ + 2²⁴·4
+    EXPECT_THAT(e.what(),
+                AllOf(HasSubstr("here: a grid of 2048x2048x2048"), HasSubstr("34426847232 bytes")));  // 2³⁵ + 2²⁴·4
   }
   EXPECT_THROW(grid_expect_fits("here", {std::int64_t{1} << 32, 1, 1}, 0), InputError);
 }

@@ -61,15 +61,18 @@ TEST_F(Vdb, TakesTheGridThatIsMeant) {
   EXPECT_EQ(volume_read(other).name, "fire");
   EXPECT_THAT(refusal(both, "smoke"), AllOf(HasSubstr("no grid 'smoke'"), HasSubstr("'velocity' (vec3s, unknown)"),
                                             HasSubstr("'fire' (float, unknown)"), HasSubstr("'density'")));
-  EXPECT_THAT(refusal(both, "velocity"), AllOf(HasSubstr("grid 'velocity': holds vec3s values"), HasSubstr("float, double")));
-  EXPECT_THAT(refusal(file({vec, grid_named("bool", "mask")}, "none.vdb")), HasSubstr("none of its grids can be a density"));
+  EXPECT_THAT(refusal(both, "velocity"),
+              AllOf(HasSubstr("grid 'velocity': holds vec3s values"), HasSubstr("float, double")));
+  EXPECT_THAT(refusal(file({vec, grid_named("bool", "mask")}, "none.vdb")),
+              HasSubstr("none of its grids can be a density"));
 }
 
 TEST_F(Vdb, SeveralGridsOfOneName) {
   const fs::path path = file({grid("density", 2.0f), grid("density", 3.0f)});
   EXPECT_EQ(volume_read(path).at({0, 0, 0}), 2.0f);
   EXPECT_EQ(volume_read(path, "density[1]").at({0, 0, 0}), 3.0f);
-  EXPECT_THAT(refusal(path, "density"), AllOf(HasSubstr("several grids 'density'"), HasSubstr("'density[0]'"), HasSubstr("'density[1]'")));
+  EXPECT_THAT(refusal(path, "density"),
+              AllOf(HasSubstr("several grids 'density'"), HasSubstr("'density[0]'"), HasSubstr("'density[1]'")));
 }
 
 // Two grids that share a tree are stored as one tree and an instance of it.

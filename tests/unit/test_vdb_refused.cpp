@@ -17,12 +17,14 @@ using VdbRefused = Vdb;
 TEST_F(VdbRefused, RefusesWhatIsNoDensity) {
   EXPECT_THAT(refusal(file({grid_named("bool", "mask")})), HasSubstr("grid 'mask': holds bool values"));
   EXPECT_THAT(refusal(file({FloatGrid::create()})), HasSubstr("no active voxel"));
-  EXPECT_THAT(refusal(file({grid("density", 1.0f, 0.5f)})), HasSubstr("grid 'density': has the background 0.5; allowed is 0"));
+  EXPECT_THAT(refusal(file({grid("density", 1.0f, 0.5f)})),
+              HasSubstr("grid 'density': has the background 0.5; allowed is 0"));
   const auto level_set = grid();
   level_set->setGridClass(openvdb::GRID_LEVEL_SET);
   EXPECT_THAT(refusal(file({level_set})), HasSubstr("is a level set; allowed"));
   const auto frustum = grid();
-  frustum->setTransform(openvdb::math::Transform::createFrustumTransform(openvdb::BBoxd({0, 0, 0}, {9, 9, 9}), 0.5, 10));
+  frustum->setTransform(
+      openvdb::math::Transform::createFrustumTransform(openvdb::BBoxd({0, 0, 0}, {9, 9, 9}), 0.5, 10));
   EXPECT_THAT(refusal(file({frustum})), AllOf(HasSubstr("NonlinearFrustumMap"), HasSubstr("linear")));
   const auto huge = grid();
   huge->setTransform(openvdb::math::Transform::createLinearTransform(1e200));
@@ -41,7 +43,8 @@ TEST_F(VdbRefused, RefusesValuesThatAreNoDensity) {
 TEST_F(VdbRefused, RefusesGridsThatAskForTooMuch) {
   const auto far = grid();
   far->tree().setValueOn(Coord(2000000000, 2000000000, 2000000000), 1.0f);
-  EXPECT_THAT(refusal(file({far})), AllOf(HasSubstr("1999999998x1999999997x1999999996"), HasSubstr("allowed are 8589934592")));
+  EXPECT_THAT(refusal(file({far})),
+              AllOf(HasSubstr("1999999998x1999999997x1999999996"), HasSubstr("allowed are 8589934592")));
   const auto tiles = grid();
   tiles->fill(CoordBBox(Coord(0), Coord(4095)), 1.0f);  // one tile, 2³⁶ samples
   EXPECT_THAT(refusal(file({tiles})), AllOf(HasSubstr("4096x4096x4096"), HasSubstr("needs at least")));
@@ -57,7 +60,8 @@ TEST_F(VdbRefused, MetadataThatContradictsTheTreeIsDamage) {
     return folder_ / "made.vdb";
   };
   EXPECT_EQ(refusal(write("file_voxel_count", openvdb::Int64Metadata(1))), "accepted");
-  EXPECT_THAT(refusal(write("file_voxel_count", openvdb::Int64Metadata(9047))), HasSubstr("promises 9047; the file is damaged"));
+  EXPECT_THAT(refusal(write("file_voxel_count", openvdb::Int64Metadata(9047))),
+              HasSubstr("promises 9047; the file is damaged"));
   EXPECT_THAT(refusal(write("file_bbox_max", openvdb::Vec3IMetadata({9, 9, 9}))), HasSubstr("the file is damaged"));
 }
 
@@ -80,7 +84,8 @@ TEST_F(VdbRefused, NoTruncationPasses) {
   NEED_DATA(data_path("volumes/smoke.vdb"));
   const std::string smoke = bytes_of(data_path("volumes/smoke.vdb"));
   const std::size_t n = smoke.size();
-  for (std::size_t size : {std::size_t{0}, std::size_t{10}, std::size_t{100}, std::size_t{1000}, n / 4, n / 2, 3 * n / 4, n - 1000, n - 8, n - 1})
+  for (std::size_t size : {std::size_t{0}, std::size_t{10}, std::size_t{100}, std::size_t{1000}, n / 4, n / 2,
+                           3 * n / 4, n - 1000, n - 8, n - 1})
     EXPECT_THAT(refusal(file(smoke.substr(0, size))), Ne("accepted")) << size;
 }
 

@@ -46,8 +46,8 @@ class Vdb : public testing::Test {
  protected:
   void SetUp() override {
     openvdb::initialize();
-    folder_ = fs::temp_directory_path() /
-              ("brume_vdb_" + std::to_string(getpid()) + "_" + testing::UnitTest::GetInstance()->current_test_info()->name());
+    folder_ = fs::temp_directory_path() / ("brume_vdb_" + std::to_string(getpid()) + "_" +
+                                           testing::UnitTest::GetInstance()->current_test_info()->name());
     fs::create_directories(folder_);
   }
   void TearDown() override { fs::remove_all(folder_); }
@@ -62,7 +62,8 @@ class Vdb : public testing::Test {
   }
   // A grid with one voxel, at index (3, 4, 5).
   template <class G = FloatGrid>
-  static typename G::Ptr grid(const std::string& name = "density", typename G::ValueType value = typename G::ValueType(1),
+  static typename G::Ptr grid(const std::string& name = "density",
+                              typename G::ValueType value = typename G::ValueType(1),
                               typename G::ValueType background = typename G::ValueType(0)) {
     const auto g = G::create(background);
     g->setName(name);

@@ -67,8 +67,8 @@ std::size_t find_named(VdbFile& file, const std::string& path, const std::string
     if (file.plain_name(i) == name) found.push_back(i);
   }
   if (found.size() == 1) return found[0];
-  throw InputError(path + ": " + (found.empty() ? "no grid '" : "several grids '") + vdb_printable(name) + "'; the file holds " +
-                   listing(file));
+  throw InputError(path + ": " + (found.empty() ? "no grid '" : "several grids '") + vdb_printable(name) +
+                   "'; the file holds " + listing(file));
 }
 
 // "density" if that can be one, else the first grid that can.
@@ -126,8 +126,8 @@ void check_values(const Tree& tree, const std::string& place) {
     bad += box.volume();
   });
   if (bad == 0) return;
-  throw InputError(place + ": " + std::to_string(bad) + " voxels are NaN, infinite or negative, the first at index " + text(first) +
-                   " with " + std::to_string(value) + "; allowed are finite densities >= 0");
+  throw InputError(place + ": " + std::to_string(bad) + " voxels are NaN, infinite or negative, the first at index " +
+                   text(first) + " with " + std::to_string(value) + "; allowed are finite densities >= 0");
 }
 
 template <class Tree>
@@ -158,7 +158,8 @@ Grid grid_convert(const GridBase& grid, const std::string& place) {
   const std::uint64_t active = grid.baseTree().activeVoxelCount();
   check_metadata(grid, box, active, place);
   const Coord lo = box.min(), hi = box.max();
-  const glm::i64vec3 size(std::int64_t{hi.x()} - lo.x() + 1, std::int64_t{hi.y()} - lo.y() + 1, std::int64_t{hi.z()} - lo.z() + 1);
+  const glm::i64vec3 size(std::int64_t{hi.x()} - lo.x() + 1, std::int64_t{hi.y()} - lo.y() + 1,
+                          std::int64_t{hi.z()} - lo.z() + 1);
   grid_expect_fits(place, size, static_cast<double>(active));
   Grid result{ivec3(size)};
   result.source = place;
@@ -185,7 +186,8 @@ VolumeGridInfo grid_describe(VdbFile& file, std::size_t i) {
   }
   const openvdb::Vec3d voxel = grid->voxelSize();
   info.voxel_size = {voxel.x(), voxel.y(), voxel.z()};
-  if (const openvdb::Metadata::Ptr background = grid->baseTree().getBackgroundValue()) info.background = background->str();
+  if (const openvdb::Metadata::Ptr background = grid->baseTree().getBackgroundValue())
+    info.background = background->str();
   info.refusal = refusal_by_kind(*grid);
   if (info.refusal.empty()) info.refusal = refusal_by_tree(*grid);
   return info;
@@ -206,7 +208,8 @@ Grid vdb_read(const std::filesystem::path& path, const std::string& grid_name) {
   Grid result(ivec3(1));
   vdb_guard(path, [&] {
     VdbFile file(path);
-    const std::size_t i = grid_name.empty() ? find_density(file, path.string()) : find_named(file, path.string(), grid_name);
+    const std::size_t i =
+        grid_name.empty() ? find_density(file, path.string()) : find_named(file, path.string(), grid_name);
     const std::string place = file.place(i);
     std::string refused = refusal_by_kind(*file.read(i, VdbDepth::METADATA));
     if (!refused.empty()) throw InputError(place + ": " + refused);

@@ -40,7 +40,8 @@ void vdb_guard(const fs::path& file, const std::function<void()>& work) {
   } catch (const std::ios_base::failure&) {
     throw InputError(file.string() + ": cannot be read: the file ends too early; it is cut short or damaged");
   } catch (const std::bad_alloc&) {
-    throw InputError(file.string() + ": cannot be read: it asks for more memory than there is; it is damaged or too large");
+    throw InputError(file.string() +
+                     ": cannot be read: it asks for more memory than there is; it is damaged or too large");
   } catch (const std::exception& e) {
     throw InputError(file.string() + ": cannot be read: OpenVDB says " + vdb_printable(e.what()));
   }
@@ -54,10 +55,11 @@ VdbFile::VdbFile(const fs::path& file) : file_(file), stream_metadata_(new openv
   in_.exceptions(std::ios::failbit | std::ios::badbit);
   readHeader(in_);
   if (!inputHasGridOffsets())
-    throw InputError(file.string() + ": was written as a stream; expected a file with grid offsets, as vdb tools write");
+    throw InputError(file.string() +
+                     ": was written as a stream; expected a file with grid offsets, as vdb tools write");
   if (fileVersion() < openvdb::OPENVDB_FILE_VERSION_GRID_INSTANCING)
-    throw InputError(file.string() + ": has the old file version " + std::to_string(fileVersion()) + ", expected at least " +
-                     std::to_string(openvdb::OPENVDB_FILE_VERSION_GRID_INSTANCING));
+    throw InputError(file.string() + ": has the old file version " + std::to_string(fileVersion()) +
+                     ", expected at least " + std::to_string(openvdb::OPENVDB_FILE_VERSION_GRID_INSTANCING));
   stream_metadata_->setSeekable(true);
   openvdb::io::setStreamMetadataPtr(in_, stream_metadata_, /*transfer=*/false);
   setFormatVersion(in_);
@@ -71,15 +73,17 @@ void VdbFile::entries_read() {
   const auto size = static_cast<std::int64_t>(fs::file_size(file_));
   const int grids = readGridCount(in_);
   if (grids < 1 || grids > GRIDS_MAX)
-    throw InputError(file_.string() + ": holds " + std::to_string(grids) + " grids, expected 1 to " + std::to_string(GRIDS_MAX));
+    throw InputError(file_.string() + ": holds " + std::to_string(grids) + " grids, expected 1 to " +
+                     std::to_string(GRIDS_MAX));
   for (int i = 0; i < grids; ++i) {
     Entry entry;
     entry.type = entry.descriptor.read(in_)->type();
     const std::int64_t here = in_.tellg(), begin = entry.descriptor.getGridPos(), end = entry.descriptor.getEndPos();
     if (end > size)
-      throw InputError(place(entry) + ": ends at byte " + std::to_string(end) + ", but the file has only " + std::to_string(size) +
-                       "; it is cut short or damaged");
-    if (begin < here || end < begin) throw InputError(place(entry) + ": lies at impossible offsets; the file is damaged");
+      throw InputError(place(entry) + ": ends at byte " + std::to_string(end) + ", but the file has only " +
+                       std::to_string(size) + "; it is cut short or damaged");
+    if (begin < here || end < begin)
+      throw InputError(place(entry) + ": lies at impossible offsets; the file is damaged");
     entry.descriptor.seekToEnd(in_);
     entries_.push_back(std::move(entry));
   }
@@ -116,9 +120,8 @@ openvdb::GridBase::Ptr VdbFile::read_own(const Entry& entry, VdbDepth depth) {
   if (depth == VdbDepth::ALL) {
     readGrid(grid, entry.descriptor, in_);
     if (in_.tellg() != std::istream::pos_type(entry.descriptor.getEndPos()))
-      throw InputError(place(entry) + ": its data end at byte " +
-                       std::to_string(in_.tellg()) + " and not at " + std::to_string(entry.descriptor.getEndPos()) +
-                       " as the header says; the file is damaged");
+      throw InputError(place(entry) + ": its data end at byte " + std::to_string(in_.tellg()) + " and not at " +
+                       std::to_string(entry.descriptor.getEndPos()) + " as the header says; the file is damaged");
     return grid;
   }
   readGridCompression(in_);

@@ -58,7 +58,8 @@ class PerlinNoise {
 
  private:
   struct Axis {
-    explicit Axis(double p) : cell(static_cast<int>(static_cast<std::int64_t>(std::floor(p)) & 255)), t(p - std::floor(p)) {}
+    explicit Axis(double p)
+        : cell(static_cast<int>(static_cast<std::int64_t>(std::floor(p)) & 255)), t(p - std::floor(p)) {}
     int cell;
     double t;
   };

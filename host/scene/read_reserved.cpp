@@ -1,0 +1,39 @@
+// What the scene language names but this version cannot do: one table, a row goes when the feature comes.
+#include <algorithm>
+
+#include "scene/read_parts.hpp"
+
+namespace brume {
+
+namespace {
+
+struct Reserved {
+  Part part;
+  const char* key;
+  const char* allowed;  // JSON: the list of the values that work today
+};
+constexpr Reserved RESERVED[] = {
+    {Part::RENDER, "in_scattering", R"(["segment"])"},
+    {Part::RENDER, "shadow", R"(["trace", "auto"])"},
+    {Part::RENDER, "max_error", "[null]"},
+    {Part::MATERIAL, "reflection", "[0]"},
+    {Part::MATERIAL, "refraction", "[0]"},
+    {Part::MEDIUM, "emission", "[0, [0, 0, 0]]"},
+    {Part::MESH, "shading", R"(["flat", "phong"])"},
+};
+
+}  // namespace
+
+void refuse_reserved(const JsonValue& owner, Part part) {
+  for (const Reserved& row : RESERVED) {
+    if (row.part != part || !owner.has(row.key)) continue;
+    const JsonValue value = owner.get(row.key);
+    const nlohmann::json allowed = nlohmann::json::parse(row.allowed);
+    if (std::find(allowed.begin(), allowed.end(), value.json()) != allowed.end()) continue;
+    std::string names;
+    for (const nlohmann::json& one : allowed) names += (names.empty() ? "" : ", ") + one.dump();
+    value.fail("not available in this version; allowed: " + names + value.got());
+  }
+}
+
+}  // namespace brume

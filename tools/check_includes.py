@@ -28,8 +28,9 @@ KERNELS = {
     "shapes": "shared lib",
     "phase": "shared lib",
     "transmittance": "shared lib",
-    "passes": "shared lib shapes phase transmittance",
-    "probes": "shared lib shapes phase transmittance",
+    "radiance": "shared lib shapes phase transmittance",
+    "passes": "shared lib shapes phase transmittance radiance",
+    "probes": "shared lib shapes phase transmittance radiance",
 }
 # Third-party header -> the rooms that may see it.
 LIBRARIES = {

@@ -27,7 +27,8 @@ std::string block_text(const Json& json, std::size_t indent, std::size_t column)
   std::string text;
   for (const auto& item : json.items()) {
     const std::string key = json.is_object() ? Json(item.key()).dump() + ": " : "";
-    text += (text.empty() ? "\n" : ",\n") + inner + key + block_text(item.value(), indent + 2, indent + 2 + key.size());
+    text.append(text.empty() ? "\n" : ",\n").append(inner).append(key);
+    text += block_text(item.value(), indent + 2, indent + 2 + key.size());
   }
   return line.front() + text + "\n" + std::string(indent, ' ') + line.back();
 }

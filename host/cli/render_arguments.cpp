@@ -17,15 +17,15 @@ namespace {
 // N integers separated by one character, nothing else.
 template <std::size_t N>
 std::array<int, N> integers(const std::string& option, const std::string& text, char separator, const char* expected) {
+  const InputError refusal(option + ": expected " + expected + ", got '" + text + "'");
   std::array<int, N> values{};
   std::istringstream in(text);
   for (std::size_t i = 0; i < N; ++i) {
     char found = separator;
     if ((i > 0 && (!in.get(found) || found != separator)) || !(in >> values[i]))
-      throw InputError(option + ": expected " + expected + ", got '" + text + "'");
+      throw refusal;
   }
-  if (in.peek() != std::istringstream::traits_type::eof())
-    throw InputError(option + ": expected " + expected + ", got '" + text + "'");
+  if (in.peek() != std::istringstream::traits_type::eof()) throw refusal;
   return values;
 }
 

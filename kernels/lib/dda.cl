@@ -1,14 +1,17 @@
 // Two-level DDA [Amanatides87]: bricks, then cells. An iterator that knows geometry only. Crossings are computed afresh as
-// (plane - origin) / dir, never accumulated: a thousand float additions drift by a hundred ulp.
+// (plane - origin) / dir, never accumulated: a thousand float additions drift by a hundred ulp. Stepping has no branch on the
+// axis: which one comes next is a coin toss that a processor loses at 15 cycles each.
 #ifndef BRUME_LIB_DDA_CL
 #define BRUME_LIB_DDA_CL
 #include "lib/medium.cl"
 
+// One axis. Cells and bricks are whole numbers kept as floats: all arithmetic with them is exact below 2^24.
 typedef struct {
-  float origin, inv_dir;
-  int step;                     // -1, 0, 1
-  int brick, cell;              // cell in cell space, not brick-local
-  float brick_exit, cell_exit;  // s at which the ray leaves them along this axis
+  float origin, inv_dir;  // of crossings; an axis that does not move crosses at infinity
+  float step;             // -1, 0, 1
+  float ahead;            // the face that is left: cell + ahead
+  float cell, cell_exit;  // cell in cell space, not brick-local, and the s at which the ray leaves it along this axis
+  float brick, brick_exit;
 } DdaAxis;
 
 typedef struct {
@@ -16,39 +19,42 @@ typedef struct {
   float s;          // all before this is done
   float end;        // end of the ray inside the medium
   float brick_end;  // end of the current stored brick; <= s: find the next one
-  int base;         // first voxel of the current brick
+  int base;         // of the current brick, see Segments
   int begun;        // the brick of the entry has been tested
 } Dda;
 
-static inline float axis_crossing(const DdaAxis* a, int plane) {
-  return a->step == 0 ? INFINITY : ((float)plane - a->origin) * a->inv_dir;
-}
-
-static inline void axis_set_brick(DdaAxis* a, int brick) {
-  a->brick = brick;
-  a->brick_exit = axis_crossing(a, (brick + (a->step > 0)) * BRICK_CELLS);
-}
-
-static inline void axis_set_cell(DdaAxis* a, int cell) {
-  a->cell = cell;
-  a->cell_exit = axis_crossing(a, cell + (a->step > 0));
-}
+static inline float axis_crossing(const DdaAxis* a, float plane) { return (plane - a->origin) * a->inv_dir; }
 
 static inline DdaAxis axis_begin(float origin, float dir, int bricks) {
+  const int moves = fabs(dir) > 1e-30f;
   DdaAxis a;
-  a.origin = origin;
-  a.step = dir > 0.0f ? 1 : (dir < 0.0f ? -1 : 0);
-  a.inv_dir = a.step == 0 ? 0.0f : 1.0f / dir;
-  a.cell = 0;
+  a.origin = moves ? origin : -1.0f;  // planes are >= 0: the product below is +inf, never 0 * inf
+  a.inv_dir = moves ? 1.0f / dir : INFINITY;
+  a.step = moves ? (dir > 0.0f ? 1.0f : -1.0f) : 0.0f;
+  a.ahead = a.step > 0.0f ? 1.0f : 0.0f;
+  a.cell = 0.0f;
   a.cell_exit = 0.0f;
-  axis_set_brick(&a, clamp((int)floor(origin * (1.0f / BRICK_CELLS)), 0, bricks - 1));
+  a.brick = fmin(fmax(floor(origin * (1.0f / BRICK_CELLS)), 0.0f), (float)(bricks - 1));
+  a.brick_exit = axis_crossing(&a, (a.brick + a.ahead) * BRICK_CELLS);
   return a;
 }
 
-// The cell of the current brick in which the axis stands at s.
-static inline void axis_enter_brick(DdaAxis* a, float dir, float s) {
-  const int first = a->brick * BRICK_CELLS;
-  axis_set_cell(a, clamp((int)floor(mad_exact(s, dir, a->origin)), first, first + BRICK_CELLS - 1));
+// The cell of the current brick in which the axis stands at s; origin is the ray's own.
+static inline void axis_enter_brick(DdaAxis* a, float origin, float dir, float s) {
+  const float first = a->brick * BRICK_CELLS;
+  a->cell = fmin(fmax(floor(mad_exact(s, dir, origin)), first), first + (float)(BRICK_CELLS - 1));
+  a->cell_exit = axis_crossing(a, a->cell + a->ahead);
+}
+
+// Steps the axis over every crossing up to `exit`: one cell or brick, or none.
+static inline void axis_step_cell(DdaAxis* a, float exit) {
+  a->cell += a->cell_exit <= exit ? a->step : 0.0f;
+  a->cell_exit = axis_crossing(a, a->cell + a->ahead);
+}
+
+static inline void axis_step_brick(DdaAxis* a, float exit) {
+  a->brick += a->brick_exit <= exit ? a->step : 0.0f;
+  a->brick_exit = axis_crossing(a, (a->brick + a->ahead) * BRICK_CELLS);
 }
 
 static inline Dda dda_begin(const Medium* medium, const MediumRay* ray) {
@@ -64,22 +70,22 @@ static inline Dda dda_begin(const Medium* medium, const MediumRay* ray) {
   return d;
 }
 
-static inline float dda_exit(const Dda* d, float limit) {
-  return fmin(fmin(d->x.brick_exit, d->y.brick_exit), fmin(d->z.brick_exit, limit));
+static inline float dda_brick_exit(const Dda* d) {
+  return fmin_ordered(fmin_ordered(d->x.brick_exit, d->y.brick_exit), d->z.brick_exit);
 }
+static inline float dda_cell_exit(const Dda* d) { return fmin_ordered(fmin_ordered(d->x.cell_exit, d->y.cell_exit), d->z.cell_exit); }
 
-// Moves on to the next brick in space; 0 when the ray leaves the grid.
+static inline int axis_inside(const DdaAxis* a, int bricks) { return a->brick >= 0.0f && a->brick < (float)bricks; }
+
+// Moves on to the next brick in space; 0 when the ray leaves the grid. A ray through an edge or a corner takes all its
+// crossings at once.
 static inline int dda_step_brick(const Medium* medium, Dda* d) {
-  if (d->x.brick_exit <= d->y.brick_exit && d->x.brick_exit <= d->z.brick_exit) {
-    axis_set_brick(&d->x, d->x.brick + d->x.step);
-    return d->x.brick >= 0 && d->x.brick < medium->brick_nx;
-  }
-  if (d->y.brick_exit <= d->z.brick_exit) {
-    axis_set_brick(&d->y, d->y.brick + d->y.step);
-    return d->y.brick >= 0 && d->y.brick < medium->brick_ny;
-  }
-  axis_set_brick(&d->z, d->z.brick + d->z.step);
-  return d->z.brick >= 0 && d->z.brick < medium->brick_nz;
+  const float exit = dda_brick_exit(d);
+  axis_step_brick(&d->x, exit);
+  axis_step_brick(&d->y, exit);
+  axis_step_brick(&d->z, exit);
+  return exit < INFINITY && axis_inside(&d->x, medium->brick_nx) && axis_inside(&d->y, medium->brick_ny) &&
+         axis_inside(&d->z, medium->brick_nz);
 }
 
 // Skips to the next brick that is stored and crossed over a positive length: afterwards the ray is in it from s to
@@ -88,12 +94,12 @@ static inline int dda_next_brick(const Medium* medium, __global const int* brick
   int inside = !d->begun || dda_step_brick(medium, d);
   d->begun = 1;
   for (; inside && d->s < d->end; inside = dda_step_brick(medium, d)) {
-    const float exit = dda_exit(d, d->end);
-    const int entry =
-        bricks[medium->brick_offset + (d->z.brick * medium->brick_ny + d->y.brick) * medium->brick_nx + d->x.brick];
+    const float exit = fmin(dda_brick_exit(d), d->end);
+    const int x = (int)d->x.brick, y = (int)d->y.brick, z = (int)d->z.brick;
+    const int entry = bricks[medium->brick_offset + (z * medium->brick_ny + y) * medium->brick_nx + x];
     if (entry != BRICK_EMPTY && exit > d->s) {
       d->brick_end = exit;
-      d->base = entry * BRICK_VALUES;
+      d->base = entry * BRICK_VALUES - brick_stride(x * BRICK_CELLS, y * BRICK_CELLS, z * BRICK_CELLS);
       return 1;
     }
     d->s = fmax(d->s, exit);

@@ -6,6 +6,9 @@
 
 #define W BRUME_LANES
 
+// The smaller of two numbers that are not NaN: one instruction where fmin, which must pass over a NaN, takes four.
+#define fmin_ordered(a, b) ((a) < (b) ? (a) : (b))
+
 #if BRUME_FAST_FMA
 #define mad_exact(a, b, c) fma(a, b, c)
 #else

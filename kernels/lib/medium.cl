@@ -2,7 +2,7 @@
 #ifndef BRUME_LIB_MEDIUM_CL
 #define BRUME_LIB_MEDIUM_CL
 #include "lib/scene.cl"
-#include "shapes/box.cl"
+#include "lib/slab.cl"
 
 // A ray inside one medium, measured in world length s from where it enters: cell-space position = origin + s dir.
 // Starting at the entry keeps float for the medium, however far the camera is.
@@ -44,24 +44,20 @@ static inline MediumRay medium_ray(const Medium* medium, float3 origin, float3 d
   return r;
 }
 
-// Up to W stretches of a ray, each inside one stored brick (or, for a constant medium, anywhere).
+// Up to W stretches of a ray, each inside one stored brick (or, for a constant medium, anywhere). (x, y, z) is the cell of
+// the stretch, or the first cell of its brick: the walk that fills them knows which, and says so as `reach` below.
 typedef struct {
   int count;
-  float middle[W];                           // s of the middle
-  float size[W];                             // world length; 0 beyond count
-  int base[W];                               // first voxel of the brick
-  float brick_x[W], brick_y[W], brick_z[W];  // its first cell
+  float middle[W];  // s of the middle
+  float size[W];    // world length; 0 beyond count
+  int base[W];      // of the brick: the sample of cell (x, y, z) is at base + brick_stride(x, y, z)
+  float x[W], y[W], z[W];
 } Segments;
 
-static inline void segment_push(Segments* out, float middle, float size, int base, int bx, int by, int bz) {
-  const int i = out->count++;
-  out->middle[i] = middle;
-  out->size[i] = size;
-  out->base[i] = base;
-  out->brick_x[i] = (float)(bx * BRICK_CELLS);
-  out->brick_y[i] = (float)(by * BRICK_CELLS);
-  out->brick_z[i] = (float)(bz * BRICK_CELLS);
-}
+#define REACH_CELL 0                   // x, y, z is the cell itself
+#define REACH_BRICK (BRICK_CELLS - 1)  // x, y, z is where the brick begins
+
+#define brick_stride(x, y, z) (((z)*BRICK_SAMPLES + (y)) * BRICK_SAMPLES + (x))
 
 // Unused lanes get a size of 0 and a harmless place, so that all W can be computed.
 static inline void segments_pad(Segments* out) {
@@ -69,59 +65,60 @@ static inline void segments_pad(Segments* out) {
     out->middle[i] = 0.0f;
     out->size[i] = 0.0f;
     out->base[i] = 0;
-    out->brick_x[i] = 0.0f;
-    out->brick_y[i] = 0.0f;
-    out->brick_z[i] = 0.0f;
+    out->x[i] = 0.0f;
+    out->y[i] = 0.0f;
+    out->z[i] = 0.0f;
   }
 }
 
-// Brick-local coordinate of every lane at s, and its cell. Clamping keeps a position that rounding put just outside its brick
-// in the brick; the interpolation goes on smoothly there.
-static inline intW local_cell(floatW position) {
-  return clamp(lanes_to_int(floor(position)), (intW)(0), (intW)(BRICK_CELLS - 1));
-}
-
+// A lookup of every lane: where its eight samples begin, and how far the point is from the first of them. The cell is clamped:
+// a position that rounding put just outside stays with its cell, and the interpolation goes on smoothly there.
 typedef struct {
-  floatW x, y, z;
-} LocalPoint;
+  intW sample;
+  floatW fx, fy, fz;
+} Lookup;
 
-static inline LocalPoint local_point(const MediumRay* ray, const Segments* at, floatW s) {
-  LocalPoint p;
-  p.x = mad_exact(s, (floatW)(ray->dir.x), (floatW)(ray->origin.x)) - lanes_load(at->brick_x);
-  p.y = mad_exact(s, (floatW)(ray->dir.y), (floatW)(ray->origin.y)) - lanes_load(at->brick_y);
-  p.z = mad_exact(s, (floatW)(ray->dir.z), (floatW)(ray->origin.z)) - lanes_load(at->brick_z);
-  return p;
+static inline floatW lookup_cell(floatW position, int reach) {
+  return reach == REACH_CELL ? (floatW)(0.0f) : fmin(fmax(floor(position), (floatW)(0.0f)), (floatW)(float)reach);
 }
 
-static inline intW sample_offset(const Segments* at, intW x, intW y, intW z) {
-  return lanes_load(at->base) + (z * BRICK_SAMPLES + y) * BRICK_SAMPLES + x;
+static inline Lookup lookup_at(const MediumRay* ray, const Segments* at, floatW s, int reach) {
+  const floatW x0 = lanes_load(at->x), y0 = lanes_load(at->y), z0 = lanes_load(at->z);
+  const floatW x = mad_exact(s, (floatW)(ray->dir.x), (floatW)(ray->origin.x)) - x0;
+  const floatW y = mad_exact(s, (floatW)(ray->dir.y), (floatW)(ray->origin.y)) - y0;
+  const floatW z = mad_exact(s, (floatW)(ray->dir.z), (floatW)(ray->origin.z)) - z0;
+  const floatW cx = lookup_cell(x, reach), cy = lookup_cell(y, reach), cz = lookup_cell(z, reach);
+  Lookup l;
+  l.sample = lanes_load(at->base) + brick_stride(lanes_to_int(x0 + cx), lanes_to_int(y0 + cy), lanes_to_int(z0 + cz));
+  l.fx = x - cx;
+  l.fy = y - cy;
+  l.fz = z - cz;
+  return l;
 }
 
-static inline floatW density_nearest(__global const float* voxels, const MediumRay* ray, const Segments* at, floatW s) {
-  const LocalPoint p = local_point(ray, at, s);
+static inline floatW density_nearest(__global const float* voxels, const MediumRay* ray, const Segments* at, floatW s,
+                                     int reach) {
+  const Lookup l = lookup_at(ray, at, s, reach);
   floatW here, next;
-  lanes_gather2(voxels, sample_offset(at, local_cell(p.x), local_cell(p.y), local_cell(p.z)), &here, &next);
+  lanes_gather2(voxels, l.sample, &here, &next);
   return here;
 }
 
-static inline floatW density_trilinear(__global const float* voxels, const MediumRay* ray, const Segments* at,
-                                       floatW s) {
-  const LocalPoint p = local_point(ray, at, s);
-  const intW x = local_cell(p.x), y = local_cell(p.y), z = local_cell(p.z);
-  const floatW fx = p.x - lanes_to_float(x), fy = p.y - lanes_to_float(y), fz = p.z - lanes_to_float(z);
-  const intW i = sample_offset(at, x, y, z);
+static inline floatW density_trilinear(__global const float* voxels, const MediumRay* ray, const Segments* at, floatW s,
+                                       int reach) {
+  const Lookup l = lookup_at(ray, at, s, reach);
   floatW a, b;
-#define ALONG_X(out, offset)                   \
-  lanes_gather2(voxels, i + (offset), &a, &b); \
-  const floatW out = mad_exact(fx, b - a, a)
+#define ALONG_X(out, offset)                          \
+  lanes_gather2(voxels, l.sample + (offset), &a, &b); \
+  const floatW out = mad_exact(l.fx, b - a, a)
   ALONG_X(v00, 0);
-  ALONG_X(v10, BRICK_SAMPLES);
-  ALONG_X(v01, BRICK_SAMPLES * BRICK_SAMPLES);
-  ALONG_X(v11, BRICK_SAMPLES * BRICK_SAMPLES + BRICK_SAMPLES);
+  ALONG_X(v10, brick_stride(0, 1, 0));
+  ALONG_X(v01, brick_stride(0, 0, 1));
+  ALONG_X(v11, brick_stride(0, 1, 1));
 #undef ALONG_X
-  const floatW v0 = mad_exact(fy, v10 - v00, v00);
-  const floatW v1 = mad_exact(fy, v11 - v01, v01);
-  return mad_exact(fz, v1 - v0, v0);
+  const floatW v0 = mad_exact(l.fy, v10 - v00, v00);
+  const floatW v1 = mad_exact(l.fy, v11 - v01, v01);
+  return mad_exact(l.fz, v1 - v0, v0);
 }
 
 #endif

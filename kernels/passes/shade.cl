@@ -1,6 +1,6 @@
 // Surface or background seen through the media: one finished sample per ray.
 #include "lib/light.cl"
-#include "lib/material.cl"
+#include "radiance/material.cl"
 
 __kernel void shade(SCENE_ARGS, uint count, __global const Ray* rays, __global const Hit* hits,
                     __global const MediumResult* results, __global const LightArrival* arrivals,

@@ -1,6 +1,6 @@
 // What reaches each hit from each light: blocked by surfaces, else weakened by the media on the way.
-#include "lib/radiative.cl"
-#include "lib/surface.cl"
+#include "radiance/radiative.cl"
+#include "radiance/surface.cl"
 
 __kernel void shadow_transmittance(SCENE_ARGS, uint count, __global const Ray* rays, __global const Hit* hits,
                                    __global MediumResult* results, __global LightArrival* arrivals) {

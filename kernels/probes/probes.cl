@@ -1,9 +1,9 @@
 // Entry points that run single device functions on arrays, for `brume check` and the kernel tests. All have one form:
 // item i reads its floats of `in` and writes its floats of `out`; host/check knows the strides.
 #include "lib/camera.cl"
-#include "lib/material.cl"
-#include "lib/radiative.cl"
-#include "lib/surface.cl"
+#include "radiance/material.cl"
+#include "radiance/radiative.cl"
+#include "radiance/surface.cl"
 #include "shared/aov.h"
 
 #define PROBE(name) __kernel void name(SCENE_ARGS, uint count, __global const float* in, __global float* out)

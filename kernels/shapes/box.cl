@@ -1,23 +1,7 @@
-// Slab test [Kay86], used for boxes and for the region of a medium.
+// Axis-aligned unit cube under an affine map.
 #ifndef BRUME_SHAPES_BOX_CL
 #define BRUME_SHAPES_BOX_CL
-#include "lib/vec.cl"
-
-// One axis of [lo, hi]. A zero direction component is an inside test, so that 0 * inf never arises.
-static inline int slab_cut(float lo, float hi, float o, float d, float* t0, float* t1) {
-  if (d == 0.0f) return o >= lo && o <= hi;
-  const float inv_d = 1.0f / d;
-  const float a = (lo - o) * inv_d, b = (hi - o) * inv_d;
-  *t0 = fmax(*t0, fmin(a, b));
-  *t1 = fmin(*t1, fmax(a, b));
-  return 1;
-}
-
-// Cuts [*t0, *t1] to the box; 0 when nothing is left.
-static inline int box_cut(float3 lo, float3 hi, float3 o, float3 d, float* t0, float* t1) {
-  return slab_cut(lo.x, hi.x, o.x, d.x, t0, t1) && slab_cut(lo.y, hi.y, o.y, d.y, t0, t1) &&
-         slab_cut(lo.z, hi.z, o.z, d.z, t0, t1) && *t0 <= *t1;
-}
+#include "lib/slab.cl"
 
 // Hit of the unit cube in its own space; t is the world's because the map is affine.
 static inline float box_hit(const Affine* unit_from_world, float3 origin, float3 dir) {

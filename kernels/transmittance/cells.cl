@@ -3,38 +3,44 @@
 #define BRUME_TRANSMITTANCE_CELLS_CL
 #include "lib/dda.cl"
 
-static inline void cells_step(Dda* d, float exit) {
-  if (exit == d->x.cell_exit) {
-    axis_set_cell(&d->x, d->x.cell + d->x.step);
-  } else if (exit == d->y.cell_exit) {
-    axis_set_cell(&d->y, d->y.cell + d->y.step);
-  } else {
-    axis_set_cell(&d->z, d->z.cell + d->z.step);
-  }
+static inline int cells_next_brick(const Medium* medium, __global const int* bricks, const MediumRay* ray, Dda* d) {
+  if (!dda_next_brick(medium, bricks, d)) return 0;
+  axis_enter_brick(&d->x, ray->origin.x, ray->dir.x, d->s);
+  axis_enter_brick(&d->y, ray->origin.y, ray->dir.y, d->s);
+  axis_enter_brick(&d->z, ray->origin.z, ray->dir.z, d->s);
+  return 1;
 }
 
+// Every turn of the loop moves s or steps an axis. What has no length is overwritten by the next segment. The axes are copied:
+// behind a pointer the compiler must take the segments' stores for changes of them, and each step would wait for memory.
 static inline void cells_fill(const Medium* medium, __global const int* bricks, const MediumRay* ray, Dda* d,
                               Segments* out) {
-  out->count = 0;
-  while (out->count < W) {
-    if (!(d->s < d->brick_end)) {
-      if (!dda_next_brick(medium, bricks, d)) break;
-      axis_enter_brick(&d->x, ray->dir.x, d->s);
-      axis_enter_brick(&d->y, ray->dir.y, d->s);
-      axis_enter_brick(&d->z, ray->dir.z, d->s);
-    }
-    const float cell_exit = fmin(d->x.cell_exit, fmin(d->y.cell_exit, d->z.cell_exit));
-    const float exit = fmin(cell_exit, d->brick_end);
-    if (exit > d->s) {
-      segment_push(out, 0.5f * (d->s + exit), exit - d->s, d->base, d->x.brick, d->y.brick, d->z.brick);
-      d->s = exit;
-    }
-    if (cell_exit < d->brick_end) {
-      cells_step(d, cell_exit);
-    } else {
-      d->s = d->brick_end;
-    }
+  int n = 0;
+  while (n < W && (d->s < d->brick_end || cells_next_brick(medium, bricks, ray, d))) {
+    DdaAxis x = d->x, y = d->y, z = d->z;
+    const float end = d->brick_end;
+    const int base = d->base;
+    float s = d->s;
+    do {
+      const float exit = fmin_ordered(fmin_ordered(x.cell_exit, y.cell_exit), fmin_ordered(z.cell_exit, end));
+      out->middle[n] = 0.5f * (s + exit);
+      out->size[n] = exit - s;
+      out->base[n] = base;
+      out->x[n] = x.cell;
+      out->y[n] = y.cell;
+      out->z[n] = z.cell;
+      n += exit > s;
+      s = exit > s ? exit : s;
+      axis_step_cell(&x, exit);
+      axis_step_cell(&y, exit);
+      axis_step_cell(&z, exit);
+    } while (n < W && s < end);
+    d->x = x;
+    d->y = y;
+    d->z = z;
+    d->s = s;
   }
+  out->count = n;
 }
 
 #endif

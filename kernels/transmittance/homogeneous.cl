@@ -4,9 +4,12 @@
 #include "transmittance/steps.cl"
 
 static inline void homogeneous_fill(Steps* s, Segments* out) {
-  out->count = 0;
-  for (; out->count < W && s->next < s->count; ++s->next)
-    segment_push(out, ((float)s->next + 0.5f) * s->size, s->size, 0, 0, 0, 0);
+  int n = 0;
+  for (; n < W && s->next < s->count; ++n, ++s->next) {
+    out->middle[n] = ((float)s->next + 0.5f) * s->size;
+    out->size[n] = s->size;
+  }
+  out->count = n;
 }
 
 static inline floatW homogeneous_integral(const Medium* medium, const Segments* at) {

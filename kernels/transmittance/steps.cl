@@ -23,7 +23,13 @@ static inline void steps_fill(const Medium* medium, __global const int* bricks, 
   while (out->count < W && s->next < s->count) {
     const float middle = ((float)s->next + 0.5f) * s->size;
     if (middle < d->brick_end) {
-      segment_push(out, middle, s->size, d->base, d->x.brick, d->y.brick, d->z.brick);
+      const int i = out->count++;
+      out->middle[i] = middle;
+      out->size[i] = s->size;
+      out->base[i] = d->base;
+      out->x[i] = d->x.brick * BRICK_CELLS;
+      out->y[i] = d->y.brick * BRICK_CELLS;
+      out->z[i] = d->z.brick * BRICK_CELLS;
       ++s->next;
       continue;
     }

@@ -1,6 +1,6 @@
 // From ∫ρ to light: extinction per channel, transmittance through all media, in-scattering along a view ray.
-#ifndef BRUME_LIB_RADIATIVE_CL
-#define BRUME_LIB_RADIATIVE_CL
+#ifndef BRUME_RADIANCE_RADIATIVE_CL
+#define BRUME_RADIANCE_RADIATIVE_CL
 #include "lib/light.cl"
 #include "phase/phase.cl"
 #include "shapes/shapes.cl"

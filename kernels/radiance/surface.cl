@@ -1,6 +1,6 @@
 // What a ray finds at its hit: point, normals facing the viewer, texture coordinates, material.
-#ifndef BRUME_LIB_SURFACE_CL
-#define BRUME_LIB_SURFACE_CL
+#ifndef BRUME_RADIANCE_SURFACE_CL
+#define BRUME_RADIANCE_SURFACE_CL
 #include "shapes/shapes.cl"
 
 typedef struct {

@@ -1,0 +1,22 @@
+// Slab test [Kay86]: a ray cut to a box; for box shapes and for the region of a medium.
+#ifndef BRUME_LIB_SLAB_CL
+#define BRUME_LIB_SLAB_CL
+#include "lib/vec.cl"
+
+// One axis of [lo, hi]. A zero direction component is an inside test, so that 0 * inf never arises.
+static inline int slab_cut(float lo, float hi, float o, float d, float* t0, float* t1) {
+  if (d == 0.0f) return o >= lo && o <= hi;
+  const float inv_d = 1.0f / d;
+  const float a = (lo - o) * inv_d, b = (hi - o) * inv_d;
+  *t0 = fmax(*t0, fmin(a, b));
+  *t1 = fmin(*t1, fmax(a, b));
+  return 1;
+}
+
+// Cuts [*t0, *t1] to the box; 0 when nothing is left.
+static inline int box_cut(float3 lo, float3 hi, float3 o, float3 d, float* t0, float* t1) {
+  return slab_cut(lo.x, hi.x, o.x, d.x, t0, t1) && slab_cut(lo.y, hi.y, o.y, d.y, t0, t1) &&
+         slab_cut(lo.z, hi.z, o.z, d.z, t0, t1) && *t0 <= *t1;
+}
+
+#endif

@@ -66,7 +66,7 @@ std::vector<float> Probe::run(const char* name, const std::vector<float>& in, st
   const std::size_t count = in.size() / in_stride;
   std::vector<float> out(count * out_stride);
   try {
-    const DeviceScene device_scene(context_, scene_);
+    const DeviceScene device_scene(context_, scene_, 3);
     cl::Kernel kernel(probe_program(context_, scene_, lanes_), name);
     cl_uint argument = device_scene.set_arguments(kernel);
     const cl::Buffer in_buffer = context_.buffer("probe inputs", in),

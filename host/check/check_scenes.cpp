@@ -90,6 +90,33 @@ constexpr SceneText SCENES[] = {
   "media": [{"bounds": [[-1, -0.6, -0.6], [0.3, 0.6, 0.6]], "density": {"type": "perlin", "resolution": [13, 12, 12], "scale": 2, "seed": 5},
              "sigma_a": 0.2, "sigma_s": [2, 1, 0.5]},
             {"bounds": [[-0.2, -0.5, -0.7], [1, 0.7, 0.5]], "density": {"type": "constant"}, "sigma_a": [0.1, 0.3, 0.6], "sigma_s": 0.4}]})"},
+    {"fog_grid", R"({
+  "camera": {"eye": [1.9, 1.1, 2.6], "target": [0, 0, 0], "vfov": 40}, "background": [0.1, 0.1, 0.2],
+  "lights": [{"type": "directional", "direction": [-0.5, -1, -0.3], "irradiance": [3, 3, 3]},
+             {"type": "point", "position": [0.5, 0.9, 0.4], "intensity": [1, 0.8, 0.6]}],
+  "materials": {"grey": {"diffuse": [0.6, 0.6, 0.6]}},
+  "shapes": [{"type": "sphere", "center": [0.1, 0.6, 0.2], "radius": 0.15, "material": "grey"}],
+  "media": [{"bounds": [[-1, -0.5, -1], [1, 0.5, 1]], "transform": [{"rotate": [0, 1, 0.2, 25]}], "sigma_a": 0.3, "sigma_s": 3,
+             "density": {"type": "perlin", "resolution": [20, 11, 18], "scale": 3, "octaves": 2, "seed": 4}}],
+  "render": {"method": "dda_midpoint", "shadow": "grid", "light_grid": 12}})"},
+    {"fog_grid_color", R"({
+  "camera": {"eye": [1.2, 0.7, 2.9], "target": [0, 0, 0], "vfov": 40},
+  "lights": [{"type": "directional", "direction": [0.5, -1, -0.3], "irradiance": [3, 3, 3]}],
+  "media": [{"density": {"type": "linear", "resolution": [6, 9, 7]}, "sigma_a": [0.2, 0.5, 1], "sigma_s": [2, 1.5, 1]},
+            {"bounds": [[-0.4, -0.2, -0.4], [0.4, 1.1, 0.4]], "density": {"type": "exponential", "resolution": [6, 9, 7]},
+             "sigma_a": 0.5, "sigma_s": 0.5}],
+  "render": {"method": "march_regular", "step": 0.06, "shadow": "grid", "light_grid": 7}})"},
+    {"fog_glow", R"({
+  "camera": {"eye": [-1.1, 0.9, 2.9], "target": [0, 0, 0], "vfov": 40}, "background": [0.1, 0.1, 0.1],
+  "lights": [{"type": "directional", "direction": [0.5, -1, -0.3], "irradiance": [1, 1, 1]}],
+  "media": [{"density": {"type": "linear", "resolution": [8, 8, 8]}, "sigma_a": 0.7, "sigma_s": 0.4, "emission": [0.9, 0.4, 0.1],
+             "emission_density": {"type": "perlin", "resolution": [14, 14, 14], "scale": 3, "seed": 2}},
+            {"bounds": [[0.5, -0.3, -0.4], [1.5, 0.3, 0.4]], "density": {"type": "constant"}, "sigma_a": 0.4, "emission": [0, 0.1, 0.3]}]})"},
+    {"fog_rectangle", R"({
+  "camera": {"eye": [1.1, 0.9, 2.9], "target": [0, 0, 0], "vfov": 40}, "background": [0.1, 0.1, 0.1],
+  "lights": [{"type": "directional", "direction": [0.5, -1, -0.3], "irradiance": [1, 1, 1]}],
+  "media": [{"density": {"type": "linear", "resolution": [8, 8, 8]}, "sigma_a": [0.7, 0.6, 0.5], "sigma_s": 2}],
+  "render": {"method": "march_midpoint", "step": 0.03, "in_scattering": "rectangle"}})"},
     {"empty", R"({"background": [0.25, 0.5, 0.75], "film": {"spp": 5}})"},
 };
 

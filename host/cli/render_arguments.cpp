@@ -22,8 +22,7 @@ std::array<int, N> integers(const std::string& option, const std::string& text, 
   std::istringstream in(text);
   for (std::size_t i = 0; i < N; ++i) {
     char found = separator;
-    if ((i > 0 && (!in.get(found) || found != separator)) || !(in >> values[i]))
-      throw refusal;
+    if ((i > 0 && (!in.get(found) || found != separator)) || !(in >> values[i])) throw refusal;
   }
   if (in.peek() != std::istringstream::traits_type::eof()) throw refusal;
   return values;

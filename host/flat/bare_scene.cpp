@@ -114,6 +114,10 @@ SceneDesc scene_of_volume(const std::filesystem::path& file, std::string& report
   medium.sigma_s = dvec3(ALBEDO * sigma_t);
   medium.sigma_a = dvec3((1 - ALBEDO) * sigma_t);
   desc.media.push_back(medium);
+  // About a per cent off the exact picture and ten times as fast; the scene that is saved says so.
+  desc.render.method = METHOD_DDA_MIDPOINT;
+  desc.render.shadow = SHADOW_GRID;
+  desc.render.light_grid = 128;
   char text[400];
   std::snprintf(text, sizeof text,
                 "%s, grid '%s': bounds %s; sigma_t %.4g per unit density, so that the densest view is about tau = %g",

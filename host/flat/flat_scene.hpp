@@ -36,6 +36,8 @@ struct FlatScene {
   std::vector<std::int32_t> bricks;  // entries of all media, layout: shared/medium.h
   std::vector<float> brick_ranges;
   std::vector<float> voxels;
+  bool color_tau = false;          // some medium's sigma_t differs between channels: τ has three
+  std::int64_t light_entries = 0;  // of all light grids together, per channel of τ
 
   int method = 0;  // Method, resolved: never auto
   double exposure = 0;

@@ -26,6 +26,8 @@ void flatten_camera(const SceneDesc& desc, FlatScene& scene) {
   frame.camera.spp = desc.film.spp;
   frame.background = packed(desc.background);
   frame.ambient = packed(desc.ambient);
+  frame.in_scattering = desc.render.in_scattering;
+  frame.max_depth = desc.render.max_depth;
   frame.seed = static_cast<uint>(desc.render.seed);
 }
 

@@ -68,8 +68,9 @@ dmat4 lattice_onto_bounds(const std::array<dvec3, 2>& bounds, const dvec3& size)
   return m;
 }
 
-LoadedMedium load_medium(const SceneDesc& desc, const MediumDesc& m) {
-  LoadedMedium loaded{&m, method_resolve(desc, m), false, false, 0, std::nullopt, dmat4(1.0)};
+LoadedMedium load_medium(const SceneDesc& desc, const std::shared_ptr<const MediumDesc>& medium) {
+  const MediumDesc& m = *medium;
+  LoadedMedium loaded{medium, method_resolve(desc, m), false, false, 0, std::nullopt, dmat4(1.0)};
   const std::array<dvec3, 2> unit{dvec3(-1), dvec3(1)};
   const dmat4 transform = transform_matrix(m.transform);
   if (loaded.method == METHOD_HOMOGENEOUS) {
@@ -102,6 +103,31 @@ double longest_side(const LoadedMedium& m) {
   return longest;
 }
 
+// One point per `spacing` along each side, the longest side in render.light_grid parts.
+void light_grid_size(const SceneDesc& desc, const LoadedMedium& loaded, Medium& medium, FlatScene& scene) {
+  const dvec3 size = medium_size(loaded) + 2 * medium_reach(loaded);
+  const double spacing = longest_side(loaded) / desc.render.light_grid;
+  int* const points[] = {&medium.light_nx, &medium.light_ny, &medium.light_nz};
+  for (int axis = 0; axis < 3; ++axis) {
+    const double side = glm::length(dvec3(loaded.world_from_lattice[axis])) * size[axis];
+    *points[axis] = 1 + std::max(1, static_cast<int>(std::ceil(side / spacing - 1e-6)));
+  }
+  medium.light_offset = static_cast<int>(scene.light_entries);
+  scene.light_entries +=
+      static_cast<std::int64_t>(desc.lights.size()) * medium.light_nx * medium.light_ny * medium.light_nz;
+  constexpr std::int64_t ENTRIES_MAX = 0x7fffffff / 3;  // kernels count all channels in an int
+  if (scene.light_entries > ENTRIES_MAX)
+    throw InputError(desc.file.string() + ": /render/light_grid: " + std::to_string(desc.render.light_grid) +
+                     " makes " + std::to_string(scene.light_entries) +
+                     " entries over all media and lights; allowed are " + std::to_string(ENTRIES_MAX));
+}
+
+// A grid pays where a ray to the light is a walk through voxels.
+bool wants_light_grid(const SceneDesc& desc, const LoadedMedium& m) {
+  const dvec3& s = m.desc->sigma_s;
+  return desc.render.shadow == SHADOW_GRID && !m.is_constant && !desc.lights.empty() && std::max({s.x, s.y, s.z}) > 0;
+}
+
 Medium medium_flatten(const SceneDesc& desc, const LoadedMedium& loaded, FlatScene& scene) {
   const MediumDesc& d = *loaded.desc;
   Medium medium{};
@@ -128,6 +154,8 @@ Medium medium_flatten(const SceneDesc& desc, const LoadedMedium& loaded, FlatSce
       cell_from_world[3] += glm::dvec4(0.5, 0.5, 0.5, 0.0);  // see bricks_append
   }
   medium.cell_from_world = affine(cell_from_world);
+  medium.world_from_cell = affine(glm::inverse(cell_from_world));
+  if (wants_light_grid(desc, loaded)) light_grid_size(desc, loaded, medium, scene);
   return medium;
 }
 
@@ -135,7 +163,16 @@ Medium medium_flatten(const SceneDesc& desc, const LoadedMedium& loaded, FlatSce
 
 std::vector<LoadedMedium> load_media(const SceneDesc& desc, std::vector<std::string>&) {
   std::vector<LoadedMedium> media;
-  for (const MediumDesc& m : desc.media) media.push_back(load_medium(desc, m));
+  for (const MediumDesc& m : desc.media) {
+    auto body = std::make_shared<MediumDesc>(m);
+    if (m.emission_density) {  // a medium of its own that only glows
+      auto glow = std::make_shared<MediumDesc>(m);
+      glow->density = *m.emission_density;
+      glow->sigma_a = glow->sigma_s = body->emission = dvec3(0);
+      media.push_back(load_medium(desc, glow));
+    }
+    media.push_back(load_medium(desc, body));
+  }
   return media;
 }
 
@@ -149,6 +186,11 @@ void medium_bounds_add(const LoadedMedium& m, Bounds& bounds) {
 
 void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media, FlatScene& scene) {
   for (const LoadedMedium& m : media) scene.media.push_back(medium_flatten(desc, m, scene));
+  const auto grey = [](const Medium& m) {
+    const float x = m.sigma_a.x + m.sigma_s.x, y = m.sigma_a.y + m.sigma_s.y, z = m.sigma_a.z + m.sigma_s.z;
+    return x == y && y == z;
+  };
+  scene.color_tau = !std::all_of(scene.media.begin(), scene.media.end(), grey);
   scene.frame.medium_count = static_cast<int>(scene.media.size());
   scene.method = media.empty() ? METHOD_HOMOGENEOUS : media.front().method;
 }

@@ -1,5 +1,6 @@
 // The parts of flatten(), in the order in which it calls them. Loading comes first because the origin depends on all of it.
 #pragma once
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace brume {
 
 // A medium with its grid in memory. Constant media have a grid only where a voxel method asks for one.
 struct LoadedMedium {
-  const MediumDesc* desc;
+  std::shared_ptr<const MediumDesc> desc;
   int method;                // resolved, never auto
   bool is_constant, sphere;  // closed form; cut to a sphere
   double constant = 0;

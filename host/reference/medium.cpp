@@ -83,7 +83,8 @@ void dda_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, co
                Visit visit) {
   const std::vector<double> crossings = cell_crossings(ray, span.t0, span.t1);
   for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
-    SegmentD segment{crossings[i], crossings[i + 1], ivec3(0), 0};
+    SegmentD segment{crossings[i], crossings[i + 1], ivec3(0), 0, 0};
+    segment.sample = segment.middle();
     segment.cell = cell_at(medium, ray.at(segment.middle()));
     segment.density_length = dda_rule(scene, medium, ray, segment, method);
     visit(segment);
@@ -91,13 +92,15 @@ void dda_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, co
 }
 
 template <class Visit>
-void march_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, const Interval& span, Visit visit) {
+void march_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, const Interval& span, int method,
+                 Visit visit) {
   const double length = span.t1 - span.t0;
   const double count = std::max(1.0, std::ceil(length / medium.step - 1.0 / 1024));
   const auto border = [&](double i) { return i == count ? span.t1 : span.t0 + length * (i / count); };
   for (double i = 0; i < count; ++i) {
-    SegmentD segment{border(i), border(i + 1), ivec3(0), 0};
-    const dvec3 p = ray.at(segment.middle());
+    SegmentD segment{border(i), border(i + 1), ivec3(0), 0, 0};
+    segment.sample = method == METHOD_MARCH_REGULAR ? segment.t_begin : segment.middle();
+    const dvec3 p = ray.at(segment.sample);
     segment.cell = cell_at(medium, p);
     segment.density_length = density_at(scene, medium, p) * (length / count);
     visit(segment);
@@ -110,8 +113,8 @@ void segments_visit(const FlatScene& scene, const Medium& medium, const RayD& wo
                     Visit visit) {
   if (span.empty()) return;
   const RayD ray = ray_to_cells(medium, world);
-  if (method == METHOD_MARCH_MIDPOINT || method == METHOD_HOMOGENEOUS)
-    march_visit(scene, medium, ray, span, visit);
+  if (method == METHOD_MARCH_MIDPOINT || method == METHOD_MARCH_REGULAR || method == METHOD_HOMOGENEOUS)
+    march_visit(scene, medium, ray, span, method, visit);
   else
     dda_visit(scene, medium, ray, span, method, visit);
 }

@@ -30,6 +30,7 @@ struct SegmentD {
   double t_begin, t_end;
   ivec3 cell;             // the cell of the middle
   double density_length;  // ∫ρ dt
+  double sample;          // where light is sampled: the middle, but for march_regular
   double middle() const { return 0.5 * (t_begin + t_end); }
 };
 

@@ -18,14 +18,19 @@ struct Options {
   int threads = 0;  // 0: as many as the machine has
 };
 
+// τ of all media from the points of a medium's light grid to each light (shared/medium.h).
+struct LightGrid {
+  std::vector<dvec3> tau;  // [light · points + point]
+};
+
 // What all samples share.
 struct Context {
-  Context(const FlatScene& flat, const Options& options)
-      : scene(flat), bounds(flat), nodes(gauss_legendre(options.scatter_order)) {}
+  Context(const FlatScene& flat, const Options& options);
 
   const FlatScene& scene;
   TriangleBounds bounds;
-  std::vector<QuadratureNode> nodes;  // empty for the segment rule
+  std::vector<QuadratureNode> nodes;   // empty for the segment rule
+  std::vector<LightGrid> light_grids;  // one per medium, empty where light is traced
   bool exact() const { return !nodes.empty(); }
   int method(const Medium& medium) const { return exact() ? method_exact(medium) : medium.method; }
 };
@@ -42,8 +47,9 @@ struct Arrival {
   bool blocked;      // by a surface
   dvec3 irradiance;  // E·V·T_light
 };
+// media: τ of all media to the light where it is known already.
 Arrival light_arrival(const Context& context, const Light& light, const dvec3& point, const dvec3& ray_origin,
-                      double& lookups);
+                      double& lookups, const dvec3* media = nullptr);
 
 struct Scattered {
   dvec3 radiance{0};    // as it arrives at the ray's origin

@@ -53,6 +53,7 @@ dvec3 source_of_all(const Context& context, const RayD& ray, const std::vector<P
                     Scattered& result) {
   dvec3 source(0);
   const dvec3 point = ray.at(t);
+  for (const Piece& piece : pieces) source += vec_promote(piece.medium->emission) * piece.density(context.scene, t);
   for (const Light& light : context.scene.lights) {
     const Arrival arrival = light_arrival(context, light, point, point, result.lookups);
     const double cosine = glm::dot(arrival.light.travel, -ray.dir);

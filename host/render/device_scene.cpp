@@ -3,15 +3,23 @@
 
 namespace brume {
 
-DeviceScene::DeviceScene(Context& context, const FlatScene& s) {
+DeviceScene::DeviceScene(Context& context, const FlatScene& s, int tau_channels) {
   buffers_ = {
-      context.buffer("frame", sizeof(Frame), &s.frame),  context.buffer("lights", s.lights),
-      context.buffer("materials", s.materials),          context.buffer("textures", s.textures),
-      context.buffer("texture pixels", s.texels),        context.buffer("shapes", s.shapes),
-      context.buffer("triangles", s.triangles),          context.buffer("BVH nodes", s.bvh_nodes),
-      context.buffer("BVH links", s.bvh_links),          context.buffer("BVH triangles", s.bvh_blocks),
-      context.buffer("BVH triangle numbers", s.bvh_ids), context.buffer("media", s.media),
-      context.buffer("brick index", s.bricks),           context.buffer("voxels", s.voxels),
+      context.buffer("frame", sizeof(Frame), &s.frame),
+      context.buffer("lights", s.lights),
+      context.buffer("materials", s.materials),
+      context.buffer("textures", s.textures),
+      context.buffer("texture pixels", s.texels),
+      context.buffer("shapes", s.shapes),
+      context.buffer("triangles", s.triangles),
+      context.buffer("BVH nodes", s.bvh_nodes),
+      context.buffer("BVH links", s.bvh_links),
+      context.buffer("BVH triangles", s.bvh_blocks),
+      context.buffer("BVH triangle numbers", s.bvh_ids),
+      context.buffer("media", s.media),
+      context.buffer("brick index", s.bricks),
+      context.buffer("voxels", s.voxels),
+      context.buffer("light grid", static_cast<std::size_t>(s.light_entries * tau_channels) * sizeof(float)),
   };
 }
 

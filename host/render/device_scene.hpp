@@ -9,7 +9,10 @@ namespace brume {
 
 class DeviceScene {
  public:
-  DeviceScene(Context& context, const FlatScene& scene);
+  // tau_channels: 3 where the kernels carry a colored τ (BRUME_COLOR_TAU), else 1.
+  DeviceScene(Context& context, const FlatScene& scene, int tau_channels);
+
+  const cl::Buffer& light_tau() const { return buffers_.back(); }
 
   // Sets the scene's arguments and returns the index of the kernel's first own argument.
   cl_uint set_arguments(cl::Kernel& kernel) const;

@@ -14,11 +14,6 @@ unsigned bits_used(const Items& items, Key key) {
   return bits;
 }
 
-bool extinction_is_grey(const Medium& m) {
-  const float x = m.sigma_a.x + m.sigma_s.x, y = m.sigma_a.y + m.sigma_s.y, z = m.sigma_a.z + m.sigma_s.z;
-  return x == y && y == z;
-}
-
 std::string define(const char* name, unsigned value) {
   return std::string(" -DBRUME_") + name + "=" + std::to_string(value);
 }
@@ -26,9 +21,10 @@ std::string define(const char* name, unsigned value) {
 std::string scene_options(const FlatScene& s) {
   const auto& media = s.media;
   return define("MEDIA", static_cast<unsigned>(std::min<std::size_t>(media.size(), 2))) +
-         define("COLOR_TAU", !std::all_of(media.begin(), media.end(), extinction_is_grey)) +
+         define("COLOR_TAU", s.color_tau) +
          define("METHODS_USED", bits_used(media, [](const Medium& m) { return m.method; })) +
          define("SPHERE_REGION", (bits_used(media, [](const Medium& m) { return m.region; }) >> REGION_SPHERE) & 1u) +
+         define("LIGHT_GRID", s.light_entries > 0) +
          define("PHASES_USED", bits_used(media, [](const Medium& m) { return m.phase; })) +
          define("SHAPES_USED", bits_used(s.shapes, [](const Shape& shape) { return shape.type; })) +
          define("TRIANGLES", !s.triangles.empty()) + define("TEXTURED", !s.textures.empty()) +

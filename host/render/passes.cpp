@@ -17,22 +17,32 @@ constexpr const char* PASS_NAMES[] = {"primary_rays", "traverse_dda", "shadow_tr
 std::string passes_source() {
   std::string text;
   for (const char* name : PASS_NAMES) text += std::string("#include \"passes/") + name + ".cl\"\n";
+  text += "#include \"passes/light_grid.cl\"\n";
   return kernel_source_text(text, "passes");
 }
 
 // Private arrays of all items of a group lie on the worker's stack in PoCL: few items on a CPU.
 constexpr std::size_t GROUP_CPU = 16, GROUP_GPU = 64;
 
+double event_seconds(const cl::Event& event) {
+  return 1e-9 * static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
+                                    event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
+}
+
 }  // namespace
 
-Passes::Passes(Context& context, const FlatScene& scene, const std::string& options, std::size_t batch_rays,
-               std::size_t film_pixels)
+Passes::Passes(Context& context, const FlatScene& scene, const std::string& options, int tau_channels,
+               std::size_t batch_rays, std::size_t film_pixels)
     : context_(context),
-      scene_(context, scene),
+      scene_(context, scene, tau_channels),
       has_surfaces_(!scene.shapes.empty() || !scene.triangles.empty()),
       film_pixels_(film_pixels),
       group_(std::min(context.device().cpu ? GROUP_CPU : GROUP_GPU, context.device().max_group)) {
   create_buffers(batch_rays, scene.lights.size());
+  for (std::size_t m = 0; m < scene.media.size(); ++m)
+    if (const Medium& medium = scene.media[m]; medium.light_nx > 0)
+      light_grids_.push_back({static_cast<cl_int>(m), static_cast<cl_uint>(scene.lights.size()) * medium.light_nx *
+                                                          medium.light_ny * medium.light_nz});
   upload_seconds_ = watch_.lap();
   create_kernels(options);
   // PoCL compiles a kernel at its first launch: an empty batch moves that out of the render time.
@@ -58,6 +68,9 @@ void Passes::create_kernels(const std::string& options) {
     kernels_[id] = cl::Kernel(program, PASS_NAMES[id]);
     first_argument_[id] = id == ACCUMULATE ? 0 : scene_.set_arguments(kernels_[id]);
   }
+  if (light_grids_.empty()) return;
+  light_grid_kernel_ = cl::Kernel(program, "light_grid");
+  launch_light_grid({0, 0});  // compiled now, not during the render
 }
 
 // Sets every pass's own arguments.
@@ -74,12 +87,38 @@ void Passes::bind(const Batch& batch) {
   set(ACCUMULATE, batch.first_pixel, batch.pixels, batch.samples, hits_, results_, samples_, film_);
 }
 
-cl::Event Passes::launch(Id id, std::size_t items) {
+cl::Event Passes::launch(const cl::Kernel& kernel, std::size_t items) {
   cl::Event event;
   const std::size_t groups = std::max<std::size_t>((items + group_ - 1) / group_, 1);
-  context_.queue().enqueueNDRangeKernel(kernels_[id], cl::NullRange, cl::NDRange(groups * group_), cl::NDRange(group_),
+  context_.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(groups * group_), cl::NDRange(group_),
                                         nullptr, &event);
   return event;
+}
+
+cl::Event Passes::launch_light_grid(const LightGridWork& work) {
+  cl_uint argument = scene_.set_arguments(light_grid_kernel_);
+  light_grid_kernel_.setArg(argument++, work.medium);
+  light_grid_kernel_.setArg(argument++, work.items);
+  light_grid_kernel_.setArg(argument++, scene_.light_tau());
+  const cl::Event event = launch(light_grid_kernel_, work.items);
+  event.wait();
+  return event;
+}
+
+void Passes::fill_light_grids(std::vector<PassStats>& stats) {
+  if (light_grids_.empty()) return;
+  PassStats pass{"light_grid", 0, 0};
+  try {
+    for (const LightGridWork& grid : light_grids_) {
+      const cl::Event event = launch_light_grid(grid);
+      pass.seconds += event_seconds(event);
+      pass.items += grid.items;
+    }
+  } catch (const cl::Error& error) {
+    throw RuntimeError(context_.device().title() + ": pass light_grid: " + error.what() +
+                       " failed: " + cl_error_name(error.err()));
+  }
+  stats.push_back(pass);
 }
 
 void Passes::run(const Batch& batch, std::vector<PassStats>& stats) {
@@ -90,15 +129,13 @@ void Passes::run(const Batch& batch, std::vector<PassStats>& stats) {
     bind(batch);
     for (int id = 0; id < PASS_COUNT; ++id) {
       pass = PASS_NAMES[id];
-      if (runs(static_cast<Id>(id)))
-        events[id] = launch(static_cast<Id>(id), id == ACCUMULATE ? batch.pixels : batch.rays());
+      if (runs(static_cast<Id>(id))) events[id] = launch(kernels_[id], id == ACCUMULATE ? batch.pixels : batch.rays());
     }
     context_.queue().finish();
     for (int id = 0; id < PASS_COUNT; ++id) {
       stats[id].name = pass = PASS_NAMES[id];
       if (!runs(static_cast<Id>(id))) continue;
-      stats[id].seconds += 1e-9 * static_cast<double>(events[id].getProfilingInfo<CL_PROFILING_COMMAND_END>() -
-                                                      events[id].getProfilingInfo<CL_PROFILING_COMMAND_START>());
+      stats[id].seconds += event_seconds(events[id]);
       stats[id].items += id == ACCUMULATE ? batch.pixels : batch.rays();
     }
   } catch (const cl::Error& error) {

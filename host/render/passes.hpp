@@ -19,23 +19,31 @@ struct Batch {
 
 class Passes {
  public:
-  Passes(Context& context, const FlatScene& scene, const std::string& options, std::size_t batch_rays,
+  // options: of kernel_options(), which `tau_channels` must fit.
+  Passes(Context& context, const FlatScene& scene, const std::string& options, int tau_channels, std::size_t batch_rays,
          std::size_t film_pixels);
 
   double build_seconds() const { return build_seconds_; }
   double upload_seconds() const { return upload_seconds_; }
 
+  // Fills the light grids, if there are any; adds time and items to `stats`.
+  void fill_light_grids(std::vector<PassStats>& stats);
   // Enqueues all passes over one batch and waits; adds times and items to `stats`.
   void run(const Batch& batch, std::vector<PassStats>& stats);
   void read_film(std::vector<FilmPixel>& pixels) const;
 
  private:
+  struct LightGridWork {
+    cl_int medium;
+    cl_uint items;
+  };
   enum Id { PRIMARY_RAYS, TRAVERSE_DDA, SHADOW_TRANSMITTANCE, SHADE, ACCUMULATE, PASS_COUNT };
   bool runs(Id id) const { return id != SHADOW_TRANSMITTANCE || has_surfaces_; }
   void create_kernels(const std::string& options);
   void create_buffers(std::size_t batch_rays, std::size_t lights);
   void bind(const Batch& batch);
-  cl::Event launch(Id id, std::size_t items);
+  cl::Event launch(const cl::Kernel& kernel, std::size_t items);
+  cl::Event launch_light_grid(const LightGridWork& work);  // waits
 
   Context& context_;
   Stopwatch watch_;  // laps over construction
@@ -44,6 +52,8 @@ class Passes {
   bool has_surfaces_;
   std::size_t film_pixels_;
   std::size_t group_;
+  std::vector<LightGridWork> light_grids_;
+  cl::Kernel light_grid_kernel_;
   std::array<cl::Kernel, PASS_COUNT> kernels_;
   std::array<cl_uint, PASS_COUNT> first_argument_{};
   cl::Buffer rays_, hits_, results_, arrivals_, samples_, film_;

@@ -47,7 +47,8 @@ Renderer::Renderer(Context& context, const FlatScene& scene, const RenderOptions
   s.stats.lanes = lanes_choose(context.device(), options.lanes);
 
   const std::string kernel = kernel_options(scene, context.device(), s.stats.lanes, options.generic);
-  s.passes = std::make_unique<Passes>(context, scene, kernel, s.batch_rays, s.crop_pixels);
+  const int tau_channels = options.generic || scene.color_tau ? 3 : 1;
+  s.passes = std::make_unique<Passes>(context, scene, kernel, tau_channels, s.batch_rays, s.crop_pixels);
   s.stats.kernel_build_s = s.passes->build_seconds();
   s.stats.upload_s = s.passes->upload_seconds();
   s.stats.device_bytes = context.allocated_bytes();
@@ -68,6 +69,8 @@ bool Renderer::render(Film& film, const Progress& progress) {
   const std::size_t pixels = s.batch_rays / samples;
   double done = 0;
   bool go_on = true;
+  std::vector<PassStats> light_grids;
+  s.passes->fill_light_grids(light_grids);
   for (std::size_t pixel = 0; pixel < s.crop_pixels && go_on; pixel += pixels) {
     for (std::size_t sample = 0; sample < spp && go_on; sample += samples) {
       const Batch batch{static_cast<cl_uint>(pixel), static_cast<cl_uint>(std::min(pixels, s.crop_pixels - pixel)),
@@ -77,6 +80,7 @@ bool Renderer::render(Film& film, const Progress& progress) {
       go_on = progress(done / s.total_rays());
     }
   }
+  s.stats.passes.insert(s.stats.passes.begin(), light_grids.begin(), light_grids.end());
   std::vector<FilmPixel> crop;
   s.passes->read_film(crop);
   film_place(film, s.frame, crop);

@@ -33,6 +33,12 @@ FAMILY(phase_family, PHASE, BRUME_PHASES)
 #define ROW(id, name, help) {INTERPOLATION_##id, name, help},
 FAMILY(interpolation_family, INTERPOLATION, BRUME_INTERPOLATIONS)
 #undef ROW
+#define ROW(id, name, help) {IN_SCATTERING_##id, name, help},
+FAMILY(in_scattering_family, IN_SCATTERING, BRUME_IN_SCATTERINGS)
+#undef ROW
+#define ROW(id, name, help) {SHADOW_##id, name, help},
+FAMILY(shadow_family, SHADOW, BRUME_SHADOWS)
+#undef ROW
 #define ROW(id, name, fits, step, help) {METHOD_##id, name, help},
 FAMILY(method_family, METHOD, BRUME_METHODS)
 #undef ROW

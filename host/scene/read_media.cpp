@@ -87,7 +87,8 @@ MediumDesc read_medium(const JsonValue& medium, const std::filesystem::path& fol
   m.sigma_a = medium.color("sigma_a", m.sigma_a, Range::at_least_0());
   m.sigma_s = medium.color("sigma_s", m.sigma_s, Range::at_least_0());
   m.emission = medium.color("emission", m.emission, Range::at_least_0());
-  refuse_reserved(medium, Part::MEDIUM);
+  if (medium.has("emission_density"))
+    m.emission_density = std::make_shared<DensityDesc>(read_density(medium.get("emission_density"), folder));
   if (medium.has("phase")) read_phase(medium.get("phase"), m);
   medium.refuse_unread();
   return m;

@@ -13,12 +13,9 @@ struct Reserved {
   const char* allowed;  // JSON: the list of the values that work today
 };
 constexpr Reserved RESERVED[] = {
-    {Part::RENDER, "in_scattering", R"(["segment"])"},
-    {Part::RENDER, "shadow", R"(["trace", "auto"])"},
     {Part::RENDER, "max_error", "[null]"},
     {Part::MATERIAL, "reflection", "[0]"},
     {Part::MATERIAL, "refraction", "[0]"},
-    {Part::MEDIUM, "emission", "[0, [0, 0, 0]]"},
     {Part::MESH, "shading", R"(["flat", "phong"])"},
 };
 

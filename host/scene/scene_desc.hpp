@@ -126,6 +126,7 @@ struct MediumDesc {
   TransformDesc transform;
   int interpolation = INTERPOLATION_TRILINEAR;
   DensityDesc density;
+  std::shared_ptr<DensityDesc> emission_density;  // of the emission alone; the density where absent
   dvec3 sigma_a{0}, sigma_s{0}, emission{0};
   int phase = PHASE_ISOTROPIC;
   double g = 0;
@@ -133,14 +134,14 @@ struct MediumDesc {
 };
 
 inline constexpr int METHOD_AUTO = -1;
-enum class InScattering { SEGMENT };
-enum class ShadowMode { TRACE };
+inline constexpr int SHADOW_AUTO = -1;
 
 struct RenderDesc {
   int method = METHOD_AUTO;
   double step = 0.05;  // share of the medium's longest side
-  InScattering in_scattering = InScattering::SEGMENT;
-  ShadowMode shadow = ShadowMode::TRACE;
+  int in_scattering = IN_SCATTERING_SEGMENT;
+  int shadow = SHADOW_AUTO;
+  int light_grid = 64;  // shadow grid: cells of the light grid along the medium's longest side
   int max_depth = 5;
   int seed = 0;
 };

@@ -15,6 +15,8 @@ namespace brume {
 
 namespace {
 
+constexpr int LIGHT_GRID_MAX = 1024;
+
 constexpr std::size_t FILE_BYTES_MAX = 64u << 20;
 constexpr int FILM_SIDE_MAX = 65536;
 constexpr double STEP_MIN = 1e-6;  // of the medium's longest side: a million steps
@@ -79,6 +81,11 @@ RenderDesc read_render(const JsonValue& scene) {
   methods.insert(methods.begin(), {METHOD_AUTO, "auto", "the cheapest that is exact for each medium"});
   r.method = render.member("method", r.method, methods, "method");
   r.step = render.number("step", r.step, Range::at_least(STEP_MIN));
+  Family shadows = shadow_family();
+  shadows.insert(shadows.begin(), {SHADOW_AUTO, "auto", "trace, which is exact"});
+  r.in_scattering = render.member("in_scattering", r.in_scattering, in_scattering_family(), "in-scattering rule");
+  r.shadow = render.member("shadow", r.shadow, shadows, "shadow mode");
+  r.light_grid = render.integer("light_grid", r.light_grid, 1, LIGHT_GRID_MAX);
   r.max_depth = render.integer("max_depth", r.max_depth, 0, 64);
   r.seed = render.integer("seed", r.seed, 0, 0x7fffffff);
   refuse_reserved(render, Part::RENDER);

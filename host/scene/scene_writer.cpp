@@ -134,8 +134,9 @@ Json density_json(const DensityDesc& d, const Folder& folder) {
 Json render_json(const RenderDesc& r) {
   return {{"method", r.method == METHOD_AUTO ? "auto" : family_name(method_family(), r.method)},
           {"step", number(r.step)},
-          {"in_scattering", "segment"},
-          {"shadow", "trace"},
+          {"in_scattering", family_name(in_scattering_family(), r.in_scattering)},
+          {"shadow", r.shadow == SHADOW_AUTO ? "auto" : family_name(shadow_family(), r.shadow)},
+          {"light_grid", r.light_grid},
           {"max_depth", r.max_depth},
           {"seed", r.seed}};
 }
@@ -146,6 +147,7 @@ Json medium_json(const MediumDesc& m, const Folder& folder) {
   if (!m.transform.empty()) json["transform"] = transform_json(m.transform);
   json["interpolation"] = family_name(interpolation_family(), m.interpolation);
   json["density"] = density_json(m.density, folder);
+  if (m.emission_density) json["emission_density"] = density_json(*m.emission_density, folder);
   json["sigma_a"] = vec(m.sigma_a);
   json["sigma_s"] = vec(m.sigma_s);
   json["emission"] = vec(m.emission);

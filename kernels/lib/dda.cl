@@ -73,7 +73,9 @@ static inline Dda dda_begin(const Medium* medium, const MediumRay* ray) {
 static inline float dda_brick_exit(const Dda* d) {
   return fmin_ordered(fmin_ordered(d->x.brick_exit, d->y.brick_exit), d->z.brick_exit);
 }
-static inline float dda_cell_exit(const Dda* d) { return fmin_ordered(fmin_ordered(d->x.cell_exit, d->y.cell_exit), d->z.cell_exit); }
+static inline float dda_cell_exit(const Dda* d) {
+  return fmin_ordered(fmin_ordered(d->x.cell_exit, d->y.cell_exit), d->z.cell_exit);
+}
 
 static inline int axis_inside(const DdaAxis* a, int bricks) { return a->brick >= 0.0f && a->brick < (float)bricks; }
 

@@ -48,9 +48,9 @@ static inline MediumRay medium_ray(const Medium* medium, float3 origin, float3 d
 // the stretch, or the first cell of its brick: the walk that fills them knows which, and says so as `reach` below.
 typedef struct {
   int count;
-  float middle[W];  // s of the middle
-  float size[W];    // world length; 0 beyond count
-  int base[W];      // of the brick: the sample of cell (x, y, z) is at base + brick_stride(x, y, z)
+  float place[W];  // s at which density and light are sampled: the middle, but for march_regular
+  float size[W];   // world length; 0 beyond count
+  int base[W];     // of the brick: the sample of cell (x, y, z) is at base + brick_stride(x, y, z)
   float x[W], y[W], z[W];
 } Segments;
 
@@ -62,7 +62,7 @@ typedef struct {
 // Unused lanes get a size of 0 and a harmless place, so that all W can be computed.
 static inline void segments_pad(Segments* out) {
   for (int i = out->count; i < W; ++i) {
-    out->middle[i] = 0.0f;
+    out->place[i] = 0.0f;
     out->size[i] = 0.0f;
     out->base[i] = 0;
     out->x[i] = 0.0f;

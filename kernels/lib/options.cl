@@ -29,6 +29,9 @@
 #ifndef BRUME_SPHERE_REGION  // some medium fills a sphere instead of its box
 #define BRUME_SPHERE_REGION 1
 #endif
+#ifndef BRUME_LIGHT_GRID  // some medium has a light grid
+#define BRUME_LIGHT_GRID 1
+#endif
 #ifndef BRUME_PHASES_USED  // bit PHASE_x
 #define BRUME_PHASES_USED 0xff
 #endif

@@ -101,7 +101,7 @@ PROBE(probe_light) {
   out[7 * item + 6] = s.distance;
 }
 
-// in: medium as bits, origin, direction, t_max. out: PROBE_SEGMENTS pairs (t of the middle, length), unused ones 0
+// in: medium as bits, origin, direction, t_max. out: PROBE_SEGMENTS pairs (t of the sample, length), unused ones 0
 #define PROBE_SEGMENTS 128
 PROBE(probe_segments) {
   PROBE_ITEM;
@@ -116,7 +116,7 @@ PROBE(probe_segments) {
   int n = 0;
   for (walk_next(&scene, &medium, &ray, &walk, &at); at.count > 0; walk_next(&scene, &medium, &ray, &walk, &at)) {
     for (int i = 0; i < at.count && n < PROBE_SEGMENTS; ++i, ++n) {
-      o[2 * n] = ray.t_begin + at.middle[i];
+      o[2 * n] = ray.t_begin + at.place[i];
       o[2 * n + 1] = at.size[i];
     }
   }

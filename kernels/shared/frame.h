@@ -15,8 +15,11 @@ typedef struct {
   int material_count;
   int triangle_count;
   uint seed;
+  int in_scattering;
+  int max_depth;
+  int pad[2];
   int crop_x0, crop_y0, crop_x1, crop_y1;  // pixels rendered: [x0,x1) x [y0,y1)
 } Frame;
-BRUME_LAYOUT(Frame, 128);
+BRUME_LAYOUT(Frame, 144);
 BRUME_SHARED_END
 #endif

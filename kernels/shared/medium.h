@@ -19,8 +19,12 @@ enum MediumRegion { REGION_BOX, REGION_SPHERE };  // sphere: the ellipsoid inscr
 // bricks:  ints, entry of brick (bx,by,bz) at brick_offset + (bz*brick_ny + by)*brick_nx + bx: number b of its stored samples,
 //          which begin at voxels[b * BRICK_VALUES], or BRICK_EMPTY. Bricks of one constant value share one stored brick.
 // ranges:  2 floats (min, max of the samples) per brick at the same index.
+// Light grid: optical depths of all media from light_nx × light_ny × light_nz points to each light. The points divide
+// [lo, hi] evenly, the outermost lie on it; depths are interpolated trilinearly. One entry per channel of τ (1 when all media
+// are grey, else 3), light and point: at light_offset · channels + ((channel · lights + light) · points + point), x fastest.
 typedef struct {
   Affine cell_from_world;
+  Affine world_from_cell;
   Packed3 lo;  // the medium fills [lo, hi] in cell space
   int brick_offset;
   Packed3 hi;
@@ -29,7 +33,7 @@ typedef struct {
   int phase;
   Packed3 sigma_s;
   float g;
-  Packed3 emission;  // reserved for emitting media
+  Packed3 emission;  // radiance per world unit, times density
   int region;
   int cells_x, cells_y, cells_z;     // cells of the grid; cells outside [lo, hi] may exist as padding
   int brick_nx, brick_ny, brick_nz;  // ceil(cells / BRICK_CELLS)
@@ -37,8 +41,10 @@ typedef struct {
   int is_constant;                   // no bricks: the density is constant_density all over the region
   float step;                        // world length of a marching step for this medium
   int method;                        // Method, resolved: never auto
+  int light_nx, light_ny, light_nz;  // at least 2 each; all 0: light is traced
+  int light_offset;
   float pad[2];
 } Medium;
-BRUME_LAYOUT(Medium, 176);
+BRUME_LAYOUT(Medium, 240);
 BRUME_SHARED_END
 #endif

@@ -23,7 +23,7 @@ static inline void cells_fill(const Medium* medium, __global const int* bricks, 
     float s = d->s;
     do {
       const float exit = fmin_ordered(fmin_ordered(x.cell_exit, y.cell_exit), fmin_ordered(z.cell_exit, end));
-      out->middle[n] = 0.5f * (s + exit);
+      out->place[n] = 0.5f * (s + exit);
       out->size[n] = exit - s;
       out->base[n] = base;
       out->x[n] = x.cell;

@@ -4,7 +4,7 @@
 #include "transmittance/cells.cl"
 
 static inline floatW dda_midpoint_integral(__global const float* voxels, const MediumRay* ray, const Segments* at) {
-  return density_trilinear(voxels, ray, at, lanes_load(at->middle), REACH_CELL) * lanes_load(at->size);
+  return density_trilinear(voxels, ray, at, lanes_load(at->place), REACH_CELL) * lanes_load(at->size);
 }
 
 #endif

@@ -1,17 +1,19 @@
-// Placement of the marchers: n equal steps over the whole stretch inside the medium; those whose middle lies in an empty brick
-// are skipped without being touched.
+// Placement of the marchers: n equal steps over the whole stretch inside the medium, each sampled at the same share of it;
+// those sampled in an empty brick are skipped without being touched.
 #ifndef BRUME_TRANSMITTANCE_STEPS_CL
 #define BRUME_TRANSMITTANCE_STEPS_CL
 #include "lib/dda.cl"
 
 typedef struct {
   int next, count;
-  float size;  // world length of a step
+  float size;   // world length of a step
+  float share;  // of a step before its sample: 0.5 for the middle, 0 where it begins
 } Steps;
 
 // n = ceil(length / step - 1/1024): the step is renormalised to length / n (ARCHITECTURE, Media).
-static inline Steps steps_begin(const Medium* medium, const MediumRay* ray) {
+static inline Steps steps_begin(const Medium* medium, const MediumRay* ray, float share) {
   Steps s;
+  s.share = share;
   s.next = 0;
   s.count = ray->length > 0.0f ? max(1, (int)ceil(ray->length / medium->step - 0x1p-10f)) : 0;
   s.size = ray->length / (float)max(s.count, 1);
@@ -21,10 +23,10 @@ static inline Steps steps_begin(const Medium* medium, const MediumRay* ray) {
 static inline void steps_fill(const Medium* medium, __global const int* bricks, Dda* d, Steps* s, Segments* out) {
   out->count = 0;
   while (out->count < W && s->next < s->count) {
-    const float middle = ((float)s->next + 0.5f) * s->size;
-    if (middle < d->brick_end) {
+    const float place = ((float)s->next + s->share) * s->size;
+    if (place < d->brick_end) {
       const int i = out->count++;
-      out->middle[i] = middle;
+      out->place[i] = place;
       out->size[i] = s->size;
       out->base[i] = d->base;
       out->x[i] = d->x.brick * BRICK_CELLS;
@@ -37,7 +39,7 @@ static inline void steps_fill(const Medium* medium, __global const int* bricks, 
     if (!dda_next_brick(medium, bricks, d)) {
       s->next = s->count;
     } else {
-      s->next = max(s->next, (int)ceil(d->s / s->size - 0.5f));
+      s->next = max(s->next, (int)ceil(d->s / s->size - s->share));
     }
   }
 }

@@ -5,11 +5,13 @@
 #include "transmittance/dda_midpoint.cl"
 #include "transmittance/dda_nearest.cl"
 #include "transmittance/homogeneous.cl"
-#include "transmittance/march_midpoint.cl"
+#include "transmittance/march.cl"
 
 // True for the method of this medium; folds to a constant when the scene uses one method only.
 #define METHOD_IS(medium, id) \
   (USES_METHOD(id) && ((BRUME_METHODS_USED) == (1 << METHOD_##id) || (medium)->method == METHOD_##id))
+
+#define METHOD_MARCHES(medium) (METHOD_IS(medium, MARCH_MIDPOINT) || METHOD_IS(medium, MARCH_REGULAR))
 
 typedef struct {
   Dda dda;
@@ -19,7 +21,7 @@ typedef struct {
 static inline Walk walk_begin(const Medium* medium, const MediumRay* ray) {
   Walk w;
   w.dda = dda_begin(medium, ray);
-  w.steps = steps_begin(medium, ray);
+  w.steps = steps_begin(medium, ray, METHOD_IS(medium, MARCH_REGULAR) ? 0.0f : 0.5f);
   return w;
 }
 
@@ -27,7 +29,7 @@ static inline Walk walk_begin(const Medium* medium, const MediumRay* ray) {
 static inline void walk_next(const Scene* scene, const Medium* medium, const MediumRay* ray, Walk* w, Segments* out) {
   if (METHOD_IS(medium, HOMOGENEOUS)) {
     homogeneous_fill(&w->steps, out);
-  } else if (METHOD_IS(medium, MARCH_MIDPOINT)) {
+  } else if (METHOD_MARCHES(medium)) {
     steps_fill(medium, scene->bricks, &w->dda, &w->steps, out);
   } else {
     cells_fill(medium, scene->bricks, ray, &w->dda, out);
@@ -38,7 +40,7 @@ static inline void walk_next(const Scene* scene, const Medium* medium, const Med
 // ∫ρ over each of the segments, in world length.
 static inline floatW walk_integral(const Scene* scene, const Medium* medium, const MediumRay* ray, const Segments* at) {
   if (METHOD_IS(medium, HOMOGENEOUS)) return homogeneous_integral(medium, at);
-  if (METHOD_IS(medium, MARCH_MIDPOINT)) return march_midpoint_integral(medium, scene->voxels, ray, at);
+  if (METHOD_MARCHES(medium)) return march_integral(medium, scene->voxels, ray, at);
   if (METHOD_IS(medium, DDA_NEAREST)) return dda_nearest_integral(scene->voxels, ray, at);
   if (METHOD_IS(medium, DDA_MIDPOINT)) return dda_midpoint_integral(scene->voxels, ray, at);
   return dda_gauss2_integral(scene->voxels, ray, at);

@@ -1,0 +1,15 @@
+// march_regular, march_midpoint: equal steps, one sample of either interpolation in each.
+#ifndef BRUME_TRANSMITTANCE_MARCH_CL
+#define BRUME_TRANSMITTANCE_MARCH_CL
+#include "transmittance/steps.cl"
+
+static inline floatW march_integral(const Medium* medium, __global const float* voxels, const MediumRay* ray,
+                                    const Segments* at) {
+  const floatW place = lanes_load(at->place);
+  const floatW density = medium->interpolation == INTERPOLATION_NEAREST
+                             ? density_nearest(voxels, ray, at, place, REACH_BRICK)
+                             : density_trilinear(voxels, ray, at, place, REACH_BRICK);
+  return density * lanes_load(at->size);
+}
+
+#endif

@@ -36,7 +36,7 @@ std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, cons
       {"upload_s", stats.upload_s},
       {"render_s", stats.render_s},
       {"total_s", times.total_s},
-      {"rays", {{"primary", stats.primary_rays}, {"secondary", 0}, {"shadow", stats.shadow_rays}}},
+      {"rays", {{"primary", stats.primary_rays}, {"secondary", stats.secondary_rays}, {"shadow", stats.shadow_rays}}},
       {"lookups", stats.lookups},
       {"passes", passes},
       {"memory",

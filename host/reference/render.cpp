@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <string>
 #include <thread>
 
@@ -65,9 +66,40 @@ FilmPixel film_pixel(const PixelD& p) {
   return pixel;
 }
 
-}  // namespace
+PixelD path_render(const Context& context, const RayD& ray, int depth);
 
-PixelD ray_render(const Context& context, const RayD& ray) {
+// The light of one ray that a surface sends on, times its weight; all that it adds to the sample.
+void path_add(const Context& context, const SurfaceD& surface, const dvec3& dir, const dvec3& weight, int depth,
+              PixelD& sample) {
+  const dvec3 unit = glm::normalize(dir);
+  const PixelD further = path_render(context, {surface_leave(surface, unit), unit}, depth);
+  sample.radiance += weight * further.radiance;
+  sample.lookups += further.lookups;
+  sample.key += further.key;
+}
+
+// Reflected and refracted light [Whitted80]. Total reflection gives the refracted weight to the reflected ray.
+void specular_add(const Context& context, const SurfaceD& surface, const RayD& ray, int depth, PixelD& sample) {
+  const Material& material = context.scene.materials[static_cast<std::size_t>(surface.material)];
+  double reflection = material.reflection;
+  const double refraction = material.refraction, ior = material.ior;
+  if (depth >= context.scene.frame.max_depth || !(reflection > 0 || refraction > 0)) return;
+  const dvec3 transmittance = sample.transmittance;
+  if (refraction > 0) {
+    const double eta = surface.leaving ? ior : 1 / ior, cosine = -glm::dot(surface.normal, ray.dir);
+    const double squared = 1 - eta * eta * (1 - cosine * cosine);
+    if (squared >= 0)
+      path_add(context, surface, eta * ray.dir + (eta * cosine - std::sqrt(squared)) * surface.normal,
+               refraction * transmittance, depth + 1, sample);
+    else
+      reflection += refraction;
+  }
+  if (reflection > 0)
+    path_add(context, surface, glm::reflect(ray.dir, surface.normal), reflection * transmittance, depth + 1, sample);
+}
+
+// depth: bounces before this ray.
+PixelD path_render(const Context& context, const RayD& ray, int depth) {
   const FlatScene& scene = context.scene;
   const HitD hit = nearest_hit(scene, context.bounds, ray);
   const Scattered media = media_scatter(context, ray, hit.t);
@@ -76,23 +108,26 @@ PixelD ray_render(const Context& context, const RayD& ray) {
   sample.samples = 1;
   sample.transmittance = transmittance_of(media.tau);
   sample.lookups = media.lookups;
-  dvec3 behind = vec_promote(scene.frame.background);
-  uint lit_lights = 0;
-  int checker = 0;
-  if (hit.primitive != PRIMITIVE_NONE) {
-    const SurfaceD surface = surface_at(scene, ray, hit);
-    const Lit lit = surface_light(context, surface, ray.dir, sample.lookups);
-    behind = lit.radiance;
-    lit_lights = lit.lights;
-    checker = surface.checker;
-    sample.normal = surface.normal;
-    sample.depth = hit.t;
-    sample.hits = 1;
+  if (hit.primitive == PRIMITIVE_NONE) {
+    sample.radiance = media.radiance + sample.transmittance * vec_promote(scene.frame.background);
+    sample.key = sample_key(hit.primitive, 0, media.shadow_key, 0) * static_cast<uint>(2 * depth + 1);
+    return sample;
   }
-  sample.radiance = media.radiance + sample.transmittance * behind;
-  sample.key = sample_key(hit.primitive, lit_lights, media.shadow_key, checker);
+  const SurfaceD surface = surface_at(scene, ray, hit);
+  const Lit lit = surface_light(context, surface, ray.dir, sample.lookups);
+  sample.normal = surface.normal;
+  sample.depth = hit.t;
+  sample.hits = 1;
+  sample.radiance = media.radiance + sample.transmittance * lit.radiance;
+  sample.key =
+      sample_key(hit.primitive, lit.lights, media.shadow_key, surface.checker) * static_cast<uint>(2 * depth + 1);
+  specular_add(context, surface, ray, depth, sample);
   return sample;
 }
+
+}  // namespace
+
+PixelD ray_render(const Context& context, const RayD& ray) { return path_render(context, ray, 0); }
 
 PixelD pixel_render(const Context& context, int x, int y) {
   const Frame& frame = context.scene.frame;

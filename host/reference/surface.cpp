@@ -118,6 +118,7 @@ SurfaceD surface_at(const FlatScene& scene, const RayD& ray, const HitD& hit) {
     surface.material = shape.material;
   }
   const double side = glm::dot(geometry.geometric_normal, ray.dir) > 0 ? -1 : 1;
+  surface.leaving = side < 0;
   surface.geometric_normal = side * geometry.geometric_normal;
   surface.normal = side * geometry.normal;
   surface.uv = geometry.uv;

@@ -13,6 +13,7 @@ struct SurfaceD {
   dvec3 diffuse{0};           // material diffuse times texture
   dvec2 uv{0};
   int material = 0;
+  bool leaving = false;    // hit from inside: from the side to which the shape's own normal does not point
   int checker = 0;         // 1 in the second colour of a checker
   double ray_epsilon = 0;  // offset along the geometric normal of rays that leave this point
 };

@@ -28,14 +28,21 @@ std::string scene_options(const FlatScene& s) {
          define("PHASES_USED", bits_used(media, [](const Medium& m) { return m.phase; })) +
          define("SHAPES_USED", bits_used(s.shapes, [](const Shape& shape) { return shape.type; })) +
          define("TRIANGLES", !s.triangles.empty()) + define("TEXTURED", !s.textures.empty()) +
+         define("SPECULAR", scene_is_specular(s)) +
          define("LIGHTS_USED", bits_used(s.lights, [](const Light& l) { return l.type; }));
 }
 
 }  // namespace
 
+bool scene_is_specular(const FlatScene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const Material& m) { return m.reflection > 0 || m.refraction > 0; });
+}
+
 std::string kernel_options(const FlatScene& scene, const DeviceInfo& device, int lanes, bool generic) {
   return define("LANES", static_cast<unsigned>(lanes)) + define("BVH_WIDTH", static_cast<unsigned>(scene.bvh_width)) +
-         define("FAST_FMA", device.fast_fma) + (generic ? "" : scene_options(scene));
+         define("FAST_FMA", device.fast_fma) + define("MAX_DEPTH", static_cast<unsigned>(scene.frame.max_depth)) +
+         (generic ? "" : scene_options(scene));
 }
 
 }  // namespace brume

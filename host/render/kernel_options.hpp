@@ -7,6 +7,9 @@
 
 namespace brume {
 
+// Some material reflects or refracts.
+bool scene_is_specular(const FlatScene& scene);
+
 // Options for kernels specialised to `scene`; `generic`: every feature on, as for any scene.
 std::string kernel_options(const FlatScene& scene, const DeviceInfo& device, int lanes, bool generic);
 

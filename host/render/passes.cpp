@@ -5,13 +5,15 @@
 
 #include "base/error.hpp"
 #include "cl/program.hpp"
+#include "render/kernel_options.hpp"
 #include "shared/ray.h"
 
 namespace brume {
 
 namespace {
 
-constexpr const char* PASS_NAMES[] = {"primary_rays", "traverse_dda", "shadow_transmittance", "shade", "accumulate"};
+constexpr const char* PASS_NAMES[] = {"primary_rays", "traverse_dda",   "shadow_transmittance",
+                                      "shade",        "secondary_rays", "accumulate"};
 
 // One program for all passes: the front end reads the shared text once.
 std::string passes_source() {
@@ -36,6 +38,7 @@ Passes::Passes(Context& context, const FlatScene& scene, const std::string& opti
     : context_(context),
       scene_(context, scene, tau_channels),
       has_surfaces_(!scene.shapes.empty() || !scene.triangles.empty()),
+      has_specular_(has_surfaces_ && scene.frame.max_depth > 0 && scene_is_specular(scene)),
       film_pixels_(film_pixels),
       group_(std::min(context.device().cpu ? GROUP_CPU : GROUP_GPU, context.device().max_group)) {
   create_buffers(batch_rays, scene.lights.size());
@@ -84,6 +87,7 @@ void Passes::bind(const Batch& batch) {
   set(TRAVERSE_DDA, rays, rays_, hits_, results_);
   set(SHADOW_TRANSMITTANCE, rays, rays_, hits_, results_, arrivals_);
   set(SHADE, rays, rays_, hits_, results_, arrivals_, samples_);
+  set(SECONDARY_RAYS, rays, rays_, hits_, results_, samples_);
   set(ACCUMULATE, batch.first_pixel, batch.pixels, batch.samples, hits_, results_, samples_, film_);
 }
 

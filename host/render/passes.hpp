@@ -37,8 +37,10 @@ class Passes {
     cl_int medium;
     cl_uint items;
   };
-  enum Id { PRIMARY_RAYS, TRAVERSE_DDA, SHADOW_TRANSMITTANCE, SHADE, ACCUMULATE, PASS_COUNT };
-  bool runs(Id id) const { return id != SHADOW_TRANSMITTANCE || has_surfaces_; }
+  enum Id { PRIMARY_RAYS, TRAVERSE_DDA, SHADOW_TRANSMITTANCE, SHADE, SECONDARY_RAYS, ACCUMULATE, PASS_COUNT };
+  bool runs(Id id) const {
+    return id == SHADOW_TRANSMITTANCE ? has_surfaces_ : (id == SECONDARY_RAYS ? has_specular_ : true);
+  }
   void create_kernels(const std::string& options);
   void create_buffers(std::size_t batch_rays, std::size_t lights);
   void bind(const Batch& batch);
@@ -49,7 +51,7 @@ class Passes {
   Stopwatch watch_;  // laps over construction
   DeviceScene scene_;
   double upload_seconds_ = 0, build_seconds_ = 0;
-  bool has_surfaces_;
+  bool has_surfaces_, has_specular_;
   std::size_t film_pixels_;
   std::size_t group_;
   std::vector<LightGridWork> light_grids_;

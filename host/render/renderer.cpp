@@ -89,6 +89,7 @@ bool Renderer::render(Film& film, const Progress& progress) {
   for (const FilmPixel& p : crop) {
     s.stats.lookups += p.lookups;
     s.stats.shadow_rays += p.shadow_rays;
+    s.stats.secondary_rays += p.secondary_rays;
   }
   return done == s.total_rays();
 }

@@ -19,7 +19,7 @@ std::filesystem::path read_path(const JsonValue& value, const std::filesystem::p
 void apply_override(nlohmann::json& scene, const std::string& text);
 
 // Fails where a key of `owner` asks for something that the scene language names but this version cannot do.
-enum class Part { RENDER, MATERIAL, MESH };
+enum class Part { RENDER, MESH };
 void refuse_reserved(const JsonValue& owner, Part part);
 
 // Too short to have a direction, or not even finite.

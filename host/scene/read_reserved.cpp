@@ -14,8 +14,6 @@ struct Reserved {
 };
 constexpr Reserved RESERVED[] = {
     {Part::RENDER, "max_error", "[null]"},
-    {Part::MATERIAL, "reflection", "[0]"},
-    {Part::MATERIAL, "refraction", "[0]"},
     {Part::MESH, "shading", R"(["flat", "phong"])"},
 };
 

@@ -44,6 +44,12 @@
 #ifndef BRUME_TEXTURED  // some material has a texture
 #define BRUME_TEXTURED 1
 #endif
+#ifndef BRUME_SPECULAR  // some material reflects or refracts
+#define BRUME_SPECULAR 1
+#endif
+#ifndef BRUME_MAX_DEPTH  // at least the frame's max_depth: the stack of pending rays
+#define BRUME_MAX_DEPTH 5
+#endif
 #ifndef BRUME_LIGHTS_USED  // bit LIGHT_x
 #define BRUME_LIGHTS_USED 0xff
 #endif

@@ -26,6 +26,7 @@ __kernel void accumulate(uint first_pixel, uint pixels, uint samples, __global c
     sum.samples += 1.0f;
     sum.lookups += (float)results[item].lookups;
     sum.shadow_rays += (float)results[item].shadow_rays;
+    sum.secondary_rays += (float)results[item].secondary_rays;
     sum.key += sample.key;
     if (hits[item].primitive != PRIMITIVE_NONE) {
       sum.depth += hits[item].t;

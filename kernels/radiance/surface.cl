@@ -6,6 +6,7 @@
 typedef struct {
   float3 point, geometric_normal, normal;
   float2 uv;
+  int leaving;  // the ray comes from the side to which the shape's own normal does not point: from inside a closed one
   float epsilon;  // offset of rays that leave the point, ARCHITECTURE "Hits"
   int material;
 } Surface;
@@ -68,7 +69,8 @@ static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* 
     s.normal = s.geometric_normal;
     s.material = shape.material;
   }
-  if (dot(s.geometric_normal, dir) > 0.0f) {
+  s.leaving = dot(s.geometric_normal, dir) > 0.0f;
+  if (s.leaving) {
     s.geometric_normal = -s.geometric_normal;
     s.normal = -s.normal;
   }

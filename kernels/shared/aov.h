@@ -30,7 +30,7 @@ typedef struct {
   float lookups;
   uint key;
   float shadow_rays;
-  float pad;
+  float secondary_rays;
 } FilmPixel;
 BRUME_LAYOUT(FilmPixel, 64);
 BRUME_SHARED_END

@@ -28,7 +28,8 @@ typedef struct {
   uint
       shadow_key;  // counts the samples whose light was blocked by a surface: two renderers agree on it or sit at an edge
   uint shadow_rays;
-  uint pad[3];
+  uint secondary_rays;
+  uint pad[2];
 } MediumResult;
 BRUME_LAYOUT(MediumResult, 48);
 

@@ -198,7 +198,7 @@ TEST(SceneRefusals, RefusesBrokenRenderSettings) {
   });
 }
 
-TEST(SceneRefusals, RefusesWhatIsStillToCome) {
+TEST(SceneRefusals, RefusesWhatIsOutOfRangeOrStillToCome) {
   expect_refused({
       {R"({"render": {"in_scattering": "trapezoid"}})",
        "/render/in_scattering: unknown in-scattering rule 'trapezoid'; known: segment, rectangle"},
@@ -206,16 +206,14 @@ TEST(SceneRefusals, RefusesWhatIsStillToCome) {
       {R"({"render": {"light_grid": 0}})", "/render/light_grid: expected"},
       {R"({"render": {"max_error": 0.01}})",
        "/render/max_error: not available in this version; allowed: null, got 0.01"},
-      {R"({"materials": {"m": {"reflection": 0.5}}})",
-       "/materials/m/reflection: not available in this version; allowed: 0"},
-      {R"({"materials": {"m": {"refraction": 1}}})",
-       "/materials/m/refraction: not available in this version; allowed: 0"},
+      {R"({"materials": {"m": {"reflection": 1.5}}})", "/materials/m/reflection: expected a number in [0, 1]"},
+      {R"({"materials": {"m": {"refraction": -1}}})", "/materials/m/refraction: expected a number in [0, 1]"},
       {R"({"media": [{"density": {"type": "constant"}, "emission": [0, -1, 0]}]})", "/media/0/emission"},
       {R"({"shapes": [{"type": "mesh", "file": "a.obj", "shading": "gouraud"}]})",
        "/shapes/0/shading: not available in this version; allowed: \"flat\", \"phong\", got \"gouraud\""},
   });
   EXPECT_EQ(scene_error(R"({"render": {"in_scattering": "segment", "shadow": "auto", "max_error": null},
-                         "materials": {"m": {"reflection": 0.0, "refraction": 0}},
+                         "materials": {"m": {"reflection": 0.5, "refraction": 1}},
                          "media": [{"density": {"type": "constant"}, "emission": 0},
                                    {"density": {"type": "constant"}, "emission": [0, 0.0, 0]}]})"),
             "no error");

@@ -28,6 +28,13 @@ int run(int argc, char** argv) {
   brume::command_compare(app, command);
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RequiredError& error) {
+    if (argc < 2 || argv[1][0] == '-' || !app.get_subcommands().empty())
+      return fail((std::string(error.what()) + " (see brume --help)").c_str(), 2);
+    std::string known;
+    for (const CLI::App* one : app.get_subcommands([](CLI::App*) { return true; }))
+      known += (known.empty() ? "" : ", ") + one->get_name();
+    return fail(("unknown command '" + std::string(argv[1]) + "'; known: " + known).c_str(), 2);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
     return fail((std::string(error.what()) + " (see brume --help)").c_str(), 2);

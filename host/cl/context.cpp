@@ -46,7 +46,7 @@ Context::Context(const DeviceInfo& device)
 cl::Buffer Context::buffer(const char* what, std::size_t bytes, const void* data) {
   const std::size_t size = std::max<std::size_t>(bytes, 16);
   if (size > device_.max_buffer_bytes)
-    throw RuntimeError(std::string(what) + " need one buffer of " + megabytes(size) + "; " + device_.title() +
+    throw RuntimeError(std::string(what) + ": " + megabytes(size) + " in one buffer are needed; " + device_.title() +
                        " allows " + megabytes(device_.max_buffer_bytes));
   const auto allowed = static_cast<std::size_t>(MEMORY_SHARE * static_cast<double>(device_.memory_bytes));
   if (allocated_ + size > allowed)

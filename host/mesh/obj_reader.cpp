@@ -1,4 +1,5 @@
-// OBJ and MTL through tinyobjloader, whose release 2.0rc10 lets broken indices pass and drops continued lines: both are checked here.
+// OBJ and MTL through tinyobjloader, whose release 2.0rc10 lets broken indices pass, drops continued lines and reads "nan" as 0: all
+// three are seen to here.
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
@@ -43,6 +44,19 @@ std::string lines_join(std::string text) {
     text.replace(at, end + 1 - at, " ");
   }
   return text;
+}
+
+// Vertices, normals and texture coordinates must be numbers: the parser takes 0 for what is none.
+void numbers_check(const Path& file, const std::string& text) {
+  std::istringstream lines(text);
+  std::string line, word;
+  for (std::size_t number = 1; std::getline(lines, line); ++number) {
+    std::istringstream words(line);
+    if (!(words >> word) || (word != "v" && word != "vn" && word != "vt")) continue;
+    while (words >> word && word[0] != '#')
+      if (word.find_first_not_of("+-.0123456789eE") != std::string::npos)
+        fail(file, "line " + std::to_string(number) + ": '" + word.substr(0, 40) + "' is not a number");
+  }
 }
 
 // Reads MTL files beside the OBJ; a missing one is told, and the mesh goes on in grey.
@@ -137,7 +151,9 @@ void triangles_convert(const Path& file, const tinyobj::attrib_t& attrib, const 
 }  // namespace
 
 Mesh mesh_read_obj(const Path& file) {
-  std::istringstream text(lines_join(obj_text(file)));
+  const std::string joined = lines_join(obj_text(file));
+  numbers_check(file, joined);
+  std::istringstream text(joined);
   Mesh mesh;
   tinyobj::attrib_t attrib;
   std::vector<tinyobj::shape_t> shapes;

@@ -1,0 +1,124 @@
+// The program as its users run it: outputs, options, determinism, interruption.
+#include <nlohmann/json.hpp>
+
+#include "film/film_compare.hpp"
+#include "image/image.hpp"
+#include "program.hpp"
+
+namespace brume::test {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* SCENE = R"({
+  "camera": {"eye": [1.5, 1, 3], "target": [0, 0, 0], "vfov": 40}, "film": {"size": [24, 20], "spp": 2},
+  "background": [0.1, 0.2, 0.3],
+  "lights": [{"type": "directional", "direction": [-0.5, -1, -0.3], "irradiance": [3, 3, 3]}],
+  "materials": {"grey": {"diffuse": [0.6, 0.6, 0.6]}},
+  "shapes": [{"type": "sphere", "center": [0, -0.5, 0], "radius": 0.4, "material": "grey"}],
+  "media": [{"density": {"type": "perlin", "resolution": [12, 12, 12]}, "sigma_a": 0.2, "sigma_s": 1}]})";
+
+class Render : public Program {
+ protected:
+  Image image(const std::string& name) const { return image_read(folder_ / name); }
+  // Same channels, same bits.
+  void expect_identical(const std::string& a, const std::string& b) const {
+    const Image first = image(a), second = image(b);
+    EXPECT_EQ(first.channel_names, second.channel_names);
+    EXPECT_TRUE(first.values == second.values) << a << " and " << b << " differ";
+  }
+};
+
+TEST_F(Render, WritesEveryFormatLayersAndStatistics) {
+  write("a.json", SCENE);
+  const Outcome r =
+      run("render a.json -o a.exr -o a.png -o a.jpg --aov depth,normal,transmittance,cost --stats s.json --quiet");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.err, "");
+  EXPECT_EQ(r.out, "a.exr\na.png\na.jpg\n");
+  EXPECT_EQ(files(), (std::set<std::string>{"a.json", "a.exr", "a.png", "a.jpg", "s.json"}));
+  const Image exr = image("a.exr");
+  for (const char* channel :
+       {"R", "G", "B", "depth.Z", "normal.X", "normal.Y", "normal.Z", "transmittance.R", "cost.Y"})
+    EXPECT_GE(image_channel(exr, channel), 0) << channel;
+  EXPECT_EQ(image("a.png").width, 24);
+  EXPECT_EQ(image("a.jpg").height, 20);
+  const json stats = json::parse(text(folder_ / "s.json"));
+  for (const char* key : {"scene", "device", "lanes", "method", "step", "size", "spp", "kernel_build_s", "load_s",
+                          "upload_s", "render_s", "total_s", "rays", "lookups", "passes", "memory", "error"})
+    EXPECT_TRUE(stats.contains(key)) << key;
+  EXPECT_EQ(stats["rays"]["primary"], 24 * 20 * 2);
+  EXPECT_GT(stats["lookups"], 0);
+}
+
+TEST_F(Render, IsTheSameFromRunToRunForAnyThreadsAndTiles) {
+  write("a.json", SCENE);
+  ASSERT_EQ(run("render a.json -o a.exr --quiet").exit_code, 0);
+  ASSERT_EQ(run("render a.json -o b.exr --quiet", "POCL_MAX_PTHREAD_COUNT=1").exit_code, 0);
+  ASSERT_EQ(run("render a.json -o c.exr --quiet --crop 5,3,19,17").exit_code, 0);
+  expect_identical("a.exr", "b.exr");
+  const Image whole = image("a.exr"), crop = image("c.exr");
+  ASSERT_EQ(crop.width, whole.width);
+  for (int y = 3; y < 17; ++y)
+    for (int x = 5; x < 19; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const std::size_t i = static_cast<std::size_t>((y * whole.width + x) * whole.channels + c);
+        ASSERT_EQ(whole.values[i], crop.values[i]) << x << "," << y;
+      }
+}
+
+TEST_F(Render, LanesAndGenericKernelsAgree) {
+  write("a.json", SCENE);
+  ASSERT_EQ(run("render a.json -o a.exr --quiet --lanes 8").exit_code, 0);
+  for (const std::string option : {"--lanes 1", "--lanes 4", "--lanes 16", "--generic"}) {
+    ASSERT_EQ(run("render a.json -o b.exr --quiet " + option).exit_code, 0);
+    EXPECT_LT(image_compare(image("b.exr"), image("a.exr")).rel_rmse, 1e-5) << option;
+  }
+}
+
+TEST_F(Render, OptionsReachTheScene) {
+  write("a.json", SCENE);
+  ASSERT_EQ(run("render a.json -o a.exr --quiet --size 10x6 --spp 1 --set /background=[0,0,0] --seed 3").exit_code, 0);
+  const Image small = image("a.exr");
+  EXPECT_EQ(small.width, 10);
+  EXPECT_EQ(small.height, 6);
+  ASSERT_EQ(run("render a.json -o b.exr --quiet --size 10x6 --spp 1 --shadow grid --method march_midpoint --step 0.02")
+                .exit_code,
+            0);
+}
+
+TEST_F(Render, BareVolumeSavesTheSceneThatItUsed) {
+  const std::string plume = BRUME_SOURCE_DIR "/scenes/data/plume.vdb";
+  const Outcome r = run("render " + plume + " -o a.exr --size 16x16 --save-scene s.json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_NE(r.err.find("tau"), std::string::npos) << r.err;
+  ASSERT_EQ(run("render s.json -o b.exr --quiet").exit_code, 0);
+  expect_identical("a.exr", "b.exr");
+}
+
+TEST_F(Render, ToolsSpeakJson) {
+  write("a.json", SCENE);
+  ASSERT_EQ(run("render a.json -o a.exr --quiet").exit_code, 0);
+  for (const std::string command :
+       {"devices --json", "info a.json --json", "info " BRUME_SOURCE_DIR "/scenes/data/plume.vdb --json",
+        "info " BRUME_SOURCE_DIR "/scenes/data/lighthouse.obj --json", "compare a.exr a.exr --json"}) {
+    const Outcome r = run(command);
+    EXPECT_EQ(r.exit_code, 0) << command << r.err;
+    EXPECT_TRUE(json::accept(r.out)) << command << "\n" << r.out;
+  }
+  ASSERT_EQ(run("render a.json -o b.exr --quiet --set /background=[1,1,1]").exit_code, 0);
+  EXPECT_EQ(run("compare a.exr b.exr --fail-above 0.001").exit_code, 1);
+  EXPECT_EQ(run("compare a.exr a.exr --fail-above 0.001").exit_code, 0);
+}
+
+TEST_F(Render, InterruptedKeepsWhatIsDone) {
+  write("a.json", SCENE);
+  const Outcome r =
+      run("render a.json -o a.exr --quiet --size 256x256 --spp 4096", "", "timeout --preserve-status -s INT 3");
+  EXPECT_EQ(r.exit_code, 130);
+  const Image kept = image("a.exr");
+  EXPECT_EQ(kept.width, 256);
+}
+
+}  // namespace
+}  // namespace brume::test

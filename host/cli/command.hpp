@@ -17,5 +17,6 @@ void command_check(CLI::App& app, Command& run);
 void command_devices(CLI::App& app, Command& run);
 void command_info(CLI::App& app, Command& run);
 void command_compare(CLI::App& app, Command& run);
+void command_bench(CLI::App& app, Command& run);  // in bench/, above all rooms
 
 }  // namespace brume

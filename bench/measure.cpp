@@ -1,0 +1,70 @@
+// See measure.hpp.
+#include "measure.hpp"
+
+#include <map>
+
+#include "flat/flatten.hpp"
+#include "shared/method.h"
+#include "volume/volume_file.hpp"
+
+namespace brume::bench {
+
+const std::vector<Setting>& settings() {
+  static const std::vector<Setting> all{
+      {"dda_gauss2/trace", METHOD_DDA_GAUSS2, 0, SHADOW_TRACE, 64},
+      {"dda_midpoint/trace", METHOD_DDA_MIDPOINT, 0, SHADOW_TRACE, 64},
+      {"march_midpoint_1/trace", METHOD_MARCH_MIDPOINT, 1, SHADOW_TRACE, 64},
+      {"march_regular_1/trace", METHOD_MARCH_REGULAR, 1, SHADOW_TRACE, 64},
+      {"dda_midpoint/grid128", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 128},
+      {"dda_midpoint/grid64", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 64},
+      {"march_midpoint_1/grid64", METHOD_MARCH_MIDPOINT, 1, SHADOW_GRID, 64},
+      {"march_midpoint_2/grid64", METHOD_MARCH_MIDPOINT, 2, SHADOW_GRID, 64},
+      {"march_midpoint_2/grid32", METHOD_MARCH_MIDPOINT, 2, SHADOW_GRID, 32},
+      {"march_midpoint_4/grid32", METHOD_MARCH_MIDPOINT, 4, SHADOW_GRID, 32},
+      {"march_midpoint_6/grid24", METHOD_MARCH_MIDPOINT, 6, SHADOW_GRID, 24},
+  };
+  return all;
+}
+
+namespace {
+
+double longest_side(const Workload& work) {
+  const VolumeGridInfo info = volume_list(work.file).front();
+  const glm::i64vec3 size = glm::i64vec3(info.index_max) - glm::i64vec3(info.index_min);
+  return work.voxel_size * static_cast<double>(std::max({size.x, size.y, size.z}) + 2);
+}
+
+}  // namespace
+
+FlatScene flat_scene(const Workload& work, const Setting& setting, int lanes) {
+  SceneDesc desc = work.desc;
+  desc.render.method = setting.method;
+  if (setting.step_voxels > 0) desc.render.step = setting.step_voxels * work.voxel_size / longest_side(work);
+  desc.render.shadow = setting.shadow;
+  desc.render.light_grid = setting.light_grid;
+  return flatten(desc, {bvh_width_for(lanes), {}});
+}
+
+Image picture(const Film& film) {
+  Image image;
+  image.width = film.size().x;
+  image.height = film.size().y;
+  image.channels = 3;
+  image.channel_names = {"R", "G", "B"};
+  for (const FilmPixel& p : film.pixels())
+    for (const float sum : {p.radiance.x, p.radiance.y, p.radiance.z}) image.values.push_back(sum / p.samples);
+  return image;
+}
+
+const Image& exact_picture(Context& context, const Workload& work) {
+  static std::map<std::string, Image> known;
+  const auto found = known.find(work.name);
+  if (found != known.end()) return found->second;
+  const int lanes = lanes_choose(context.device(), 0);
+  Renderer renderer(context, flat_scene(work, settings().front(), lanes), {lanes, false, 0});
+  Film film(work.desc.film.size);
+  renderer.render(film, [](double) { return true; });
+  return known[work.name] = picture(film);
+}
+
+}  // namespace brume::bench

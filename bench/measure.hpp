@@ -1,0 +1,26 @@
+// One measurement by brume: a workload by a method, a shadow mode and their knobs; and how far its picture is off.
+#pragma once
+#include <string>
+
+#include "cl/context.hpp"
+#include "image/image.hpp"
+#include "render/renderer.hpp"
+#include "workload.hpp"
+
+namespace brume::bench {
+
+struct Setting {
+  std::string name;  // permanent: results of years are compared by it
+  int method;
+  double step_voxels;  // of marchers; 0 for the others
+  int shadow, light_grid;
+};
+const std::vector<Setting>& settings();
+
+FlatScene flat_scene(const Workload& work, const Setting& setting, int lanes);
+Image picture(const Film& film);
+
+// The exact picture of a workload: dda_gauss2, light traced. Rendered once and kept.
+const Image& exact_picture(Context& context, const Workload& work);
+
+}  // namespace brume::bench

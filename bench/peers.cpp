@@ -1,0 +1,63 @@
+// See peers.hpp.
+#include "peers.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <glm/geometric.hpp>
+#include <sstream>
+
+#include "base/stopwatch.hpp"
+
+namespace brume::bench {
+
+namespace {
+
+std::string triple(const dvec3& v) {
+  char text[120];
+  std::snprintf(text, sizeof text, "%.9g,%.9g,%.9g", v.x, v.y, v.z);
+  return text;
+}
+
+std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
+
+std::string vdb_render_command(const Workload& work, const std::filesystem::path& picture, bool converged) {
+  const SceneDesc& d = work.desc;
+  const MediumDesc& m = d.media[0];
+  const dvec3 radiance = d.lights[0].intensity / (4 * M_PI);  // it knows no phase function
+  std::ostringstream command;
+  command << "vdb_render " << quoted(work.file) << " " << quoted(picture) << " -v -cpus 0 -res " << d.film.size.x << "x"
+          << d.film.size.y << " -fov " << d.camera.vfov << " -translate " << triple(d.camera.eye) << " -lookat "
+          << triple(d.camera.target) << " -absorb " << triple(m.sigma_a * work.voxel_size) << " -scatter "
+          << triple(m.sigma_s * work.voxel_size) << " -gain 1 -light " << triple(-glm::normalize(d.lights[0].direction))
+          << "," << triple(radiance);
+  if (converged) command << " -step 0.5 -shadowstep 1 -cutoff 1e-5";
+  return command.str();
+}
+
+// The seconds of the line after "ray-tracing".
+double seconds_in_log(const std::filesystem::path& log) {
+  std::ifstream in(log);
+  std::string line;
+  bool next = false;
+  while (std::getline(in, line)) {
+    double seconds = 0;
+    if (next && std::sscanf(line.c_str(), "vdb_render: ...completed in %lf sec", &seconds) == 1) return seconds;
+    next = next || line.find("ray-tracing") != std::string::npos;
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::optional<PeerRun> vdb_render_run(const Workload& work, const std::filesystem::path& folder, bool converged) {
+  const std::filesystem::path picture = folder / (work.name + (converged ? "_peer_converged.exr" : "_peer.exr"));
+  const std::filesystem::path log = folder / "peer.log";
+  const Stopwatch watch;
+  const std::string command = vdb_render_command(work, picture, converged) + " >" + quoted(log) + " 2>&1";
+  if (std::system(command.c_str()) != 0 || !std::filesystem::exists(picture)) return std::nullopt;
+  return PeerRun{seconds_in_log(log), watch.seconds(), picture};
+}
+
+}  // namespace brume::bench

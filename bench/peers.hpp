@@ -1,0 +1,20 @@
+// Other programs on the same work in the same run.
+#pragma once
+#include <filesystem>
+#include <optional>
+
+#include "workload.hpp"
+
+namespace brume::bench {
+
+struct PeerRun {
+  double render_s;   // by its own clock
+  double process_s;  // whole process
+  std::filesystem::path picture;
+};
+
+// vdb_render of libopenvdb-tools: same camera, light and coefficients (its own are per voxel), its default steps, or with
+// `converged` steps and cutoff so fine that only its model is left. Nothing where it is not installed.
+std::optional<PeerRun> vdb_render_run(const Workload& work, const std::filesystem::path& folder, bool converged);
+
+}  // namespace brume::bench

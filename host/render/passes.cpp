@@ -88,7 +88,7 @@ void Passes::bind(const Batch& batch) {
   set(SHADOW_TRANSMITTANCE, rays, rays_, hits_, results_, arrivals_);
   set(SHADE, rays, rays_, hits_, results_, arrivals_, samples_);
   set(SECONDARY_RAYS, rays, rays_, hits_, results_, samples_);
-  set(ACCUMULATE, batch.first_pixel, batch.pixels, batch.samples, hits_, results_, samples_, film_);
+  set(ACCUMULATE, batch.first_pixel, batch.pixels, batch.first_sample, batch.samples, hits_, results_, samples_, film_);
 }
 
 cl::Event Passes::launch(const cl::Kernel& kernel, std::size_t items) {

@@ -11,12 +11,21 @@ static inline void packed_add(Packed3* sum, Packed3 v) {
   sum->z += v.z;
 }
 
-__kernel void accumulate(uint first_pixel, uint pixels, uint samples, __global const Hit* hits,
+static inline FilmPixel pixel_empty(void) {
+  FilmPixel p;
+  p.radiance = p.normal = p.transmittance = vec_pack((float3)(0.0f));
+  p.samples = p.depth = p.hits = p.lookups = p.shadow_rays = p.secondary_rays = 0.0f;
+  p.key = 0;
+  return p;
+}
+
+__kernel void accumulate(uint first_pixel, uint pixels, uint first_sample, uint samples, __global const Hit* hits,
                          __global const MediumResult* results, __global const Sample* finished,
                          __global FilmPixel* film) {
   const uint pixel = (uint)get_global_id(0);
   if (pixel >= pixels) return;
-  FilmPixel sum = film[first_pixel + pixel];
+  FilmPixel sum = pixel_empty();
+  if (first_sample > 0) sum = film[first_pixel + pixel];
   for (uint s = 0; s < samples; ++s) {
     const uint item = pixel * samples + s;
     const Sample sample = finished[item];

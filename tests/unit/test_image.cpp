@@ -241,7 +241,7 @@ TEST_F(ImageTest, TheLibraryStartsNoThreads) {
   image_write_exr(folder_ / "a.exr", 64, 64, {{"R", rgb.data()}}, {});
   image_write_display(folder_ / "a.png", 64, 64, rgb);
   EXPECT_EQ(image_read(folder_ / "a.exr").values[0], 0.5f);
-  EXPECT_EQ(threads(), before);
+  EXPECT_LE(threads(), before);  // fewer: one of the process start may end meanwhile
 }
 
 TEST_F(ImageTest, FailedWritesLeaveNothingBehind) {

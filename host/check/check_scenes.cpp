@@ -133,6 +133,38 @@ constexpr SceneText SCENES[] = {
   "lights": [{"type": "directional", "direction": [0.5, -1, -0.3], "irradiance": [1, 1, 1]}],
   "media": [{"density": {"type": "linear", "resolution": [8, 8, 8]}, "sigma_a": [0.7, 0.6, 0.5], "sigma_s": 2}],
   "render": {"method": "march_midpoint", "step": 0.03, "in_scattering": "rectangle"}})"},
+    {"fog_jitter", R"({
+  "camera": {"eye": [1.8, 0.8, 2.9], "target": [0, 0, 0], "vfov": 42}, "film": {"spp": 2}, "background": [0.2, 0.3, 0.5],
+  "lights": [{"type": "point", "position": [0.4, 0.6, 0.5], "intensity": [2, 1.5, 1]},
+             {"type": "directional", "direction": [-0.4, -1, -0.6], "irradiance": [2, 2, 2]}],
+  "materials": {"mirror": {"diffuse": [0.6, 0.6, 0.6], "reflection": 0.4}},
+  "shapes": [{"type": "sphere", "center": [-0.2, -0.1, 0], "radius": 0.4, "material": "mirror"}],
+  "media": [{"density": {"type": "perlin", "resolution": [20, 20, 20], "scale": 3, "octaves": 2, "seed": 3}, "sigma_a": 0.3, "sigma_s": 2}],
+  "render": {"method": "march_regular_jitter", "step": 0.11}})"},
+    {"fog_jitter_middle", R"({
+  "camera": {"eye": [0.7, 0.9, 3.5], "target": [0, 0, 0], "vfov": 40},
+  "lights": [{"type": "directional", "direction": [-0.5, -1, -0.3], "irradiance": [4, 4, 4]}],
+  "media": [{"interpolation": "nearest", "density": {"type": "perlin", "resolution": [21, 17, 26], "scale": 3, "octaves": 3, "seed": 7},
+             "sigma_a": 0.5, "sigma_s": [2, 1, 0.5]}],
+  "render": {"method": "march_midpoint_jitter", "step": 0.07, "roulette": 0.3}})"},
+    {"fog_delta", R"({
+  "camera": {"eye": [1.2, 0.8, 3.2], "target": [0, 0, 0], "vfov": 40}, "film": {"spp": 2}, "background": [0.2, 0.3, 0.5],
+  "lights": [{"type": "directional", "direction": [-0.4, -1, -0.6], "irradiance": [2, 2, 2]}],
+  "materials": {"grey": {"diffuse": [0.6, 0.6, 0.6]}},
+  "shapes": [{"type": "sphere", "center": [-0.2, -0.1, 0], "radius": 0.4, "material": "grey"}],
+  "media": [{"density": {"type": "perlin", "resolution": [20, 20, 20], "scale": 3, "octaves": 2, "seed": 3}, "sigma_a": [0.3, 0.6, 0.1], "sigma_s": 2}],
+  "render": {"method": "delta_tracking"}})"},
+    {"fog_ratio", R"({
+  "camera": {"eye": [1.2, 0.8, 3.2], "target": [0, 0, 0], "vfov": 40}, "background": [0.2, 0.3, 0.5],
+  "lights": [{"type": "directional", "direction": [-0.4, -1, -0.6], "irradiance": [2, 2, 2]}],
+  "media": [{"density": {"type": "sphere", "of": {"type": "perlin", "resolution": [20, 20, 20], "scale": 3, "seed": 3}}, "sigma_a": [0.3, 0.6, 0.1], "sigma_s": 4},
+            {"bounds": [[-0.2, -0.5, -0.7], [1, 0.7, 0.5]], "density": {"type": "linear", "resolution": [9, 9, 9]}, "sigma_a": 0, "emission": [0.1, 0.3, 0.6]}],
+  "render": {"method": "ratio_tracking", "roulette": 0.2}})"},
+    {"fog_residual", R"({
+  "camera": {"eye": [0.7, 0.9, 3.5], "target": [0, 0, 0], "vfov": 40}, "background": [0.2, 0.3, 0.5],
+  "lights": [{"type": "point", "position": [0.4, 1.6, 0.5], "intensity": [2, 1.5, 1]}],
+  "media": [{"density": {"type": "linear", "resolution": [20, 24, 20]}, "sigma_a": 0.3, "sigma_s": 3}],
+  "render": {"method": "residual_ratio"}})"},
     {"empty", R"({"background": [0.25, 0.5, 0.75], "film": {"spp": 5}})"},
 };
 

@@ -37,6 +37,7 @@ struct FlatScene {
   std::vector<float> brick_ranges;
   std::vector<float> voxels;
   bool color_tau = false;          // some medium's sigma_t differs between channels: τ has three
+  unsigned draws = 0;              // bit DRAWS_x of every method in use
   std::int64_t light_entries = 0;  // of all light grids together, per channel of τ
 
   int method = 0;  // Method, resolved: never auto

@@ -27,6 +27,7 @@ void flatten_camera(const SceneDesc& desc, FlatScene& scene) {
   frame.background = packed(desc.background);
   frame.ambient = packed(desc.ambient);
   frame.in_scattering = desc.render.in_scattering;
+  frame.roulette = static_cast<float>(desc.render.roulette);
   frame.max_depth = desc.render.max_depth;
   frame.seed = static_cast<uint>(desc.render.seed);
 }

@@ -68,8 +68,18 @@ dmat4 lattice_onto_bounds(const std::array<dvec3, 2>& bounds, const dvec3& size)
   return m;
 }
 
+// Collisions differ from run to run of a light ray: frozen into a grid their noise would be an error that no number of samples
+// mends.
+void refuse_tracked_light_grid(const SceneDesc& desc, int method) {
+  if (desc.render.shadow == SHADOW_GRID && method_draws(method) == DRAWS_COLLISIONS)
+    throw InputError(desc.file.string() + ": /render/shadow: 'grid' does not fit the method '" +
+                     std::string(family_name(method_family(), method)) +
+                     "', whose error only falls over many light rays; allowed with it: trace, auto");
+}
+
 LoadedMedium load_medium(const SceneDesc& desc, const std::shared_ptr<const MediumDesc>& medium) {
   const MediumDesc& m = *medium;
+  refuse_tracked_light_grid(desc, method_resolve(desc, m));
   LoadedMedium loaded{medium, method_resolve(desc, m), false, false, 0, std::nullopt, dmat4(1.0)};
   const std::array<dvec3, 2> unit{dvec3(-1), dvec3(1)};
   const dmat4 transform = transform_matrix(m.transform);
@@ -122,6 +132,21 @@ void light_grid_size(const SceneDesc& desc, const LoadedMedium& loaded, Medium& 
                      " entries over all media and lights; allowed are " + std::to_string(ENTRIES_MAX));
 }
 
+// The rate at which trackers collide, per density: the largest extinction. A medium that only glows has none: eight collisions on
+// the longest way through its densest part then, else its light would never be sampled.
+double track_sigma_of(const LoadedMedium& m, float density_max) {
+  const dvec3 sigma_t = m.desc->sigma_a + m.desc->sigma_s;
+  const double largest = std::max({sigma_t.x, sigma_t.y, sigma_t.z});
+  return largest > 0 || !(density_max > 0) ? largest : 8 / (longest_side(m) * density_max);
+}
+
+float density_max_of(const FlatScene& scene, std::size_t first_brick) {
+  float max = 0;
+  for (std::size_t i = 2 * first_brick + 1; i < scene.brick_ranges.size(); i += 2)
+    max = std::max(max, scene.brick_ranges[i]);
+  return max;
+}
+
 // A grid pays where a ray to the light is a walk through voxels.
 bool wants_light_grid(const SceneDesc& desc, const LoadedMedium& m) {
   const dvec3& s = m.desc->sigma_s;
@@ -150,6 +175,8 @@ Medium medium_flatten(const SceneDesc& desc, const LoadedMedium& loaded, FlatSce
     medium.hi = {1, 1, 1};
   } else {
     bricks_append(*loaded.grid, medium, scene);
+    medium.track_sigma = static_cast<float>(
+        track_sigma_of(loaded, density_max_of(scene, static_cast<std::size_t>(medium.brick_offset))));
     if (d.interpolation == INTERPOLATION_TRILINEAR)
       cell_from_world[3] += glm::dvec4(0.5, 0.5, 0.5, 0.0);  // see bricks_append
   }
@@ -191,6 +218,7 @@ void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media
     return x == y && y == z;
   };
   scene.color_tau = !std::all_of(scene.media.begin(), scene.media.end(), grey);
+  for (const Medium& m : scene.media) scene.draws |= 1u << method_draws(m.method);
   scene.frame.medium_count = static_cast<int>(scene.media.size());
   scene.method = media.empty() ? METHOD_HOMOGENEOUS : media.front().method;
 }

@@ -22,16 +22,19 @@ LightGrid light_grid_make(const Context& context, const Medium& medium) {
   LightGrid grid;
   const ivec3 n = points_of(medium);
   const dvec3 lo = vec_promote(medium.lo), hi = vec_promote(medium.hi);
-  for (const Light& light : context.scene.lights)
+  for (std::size_t l = 0; l < context.scene.lights.size(); ++l)
     for (int z = 0; z < n.z; ++z)
       for (int y = 0; y < n.y; ++y)
         for (int x = 0; x < n.x; ++x) {
           const dvec3 cell = lo + (hi - lo) * (dvec3(x, y, z) / dvec3(n - 1));
           const dvec3 point = affine_point(medium.world_from_cell, cell);
-          const LightSample sample = light_at(light, point);
+          const LightSample sample = light_at(context.scene.lights[l], point);
           double lookups = 0;
-          grid.tau.push_back(sample.shines() ? media_tau(context, {point, -sample.travel}, sample.distance, lookups)
-                                             : dvec3(0));
+          const RandomStream random{static_cast<uint>((z * n.y + y) * n.x + x), static_cast<uint>(l),
+                                    context.scene.frame.seed};
+          grid.tau.push_back(sample.shines()
+                                 ? media_tau(context, {point, -sample.travel}, sample.distance, random, lookups)
+                                 : dvec3(0));
         }
   return grid;
 }

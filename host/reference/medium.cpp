@@ -78,14 +78,33 @@ double dda_rule(const FlatScene& scene, const Medium& medium, const RayD& ray, c
   return length * density_in_cell(scene, medium, segment.cell, dvec3(segment.cell));
 }
 
+uint cell_name(const ivec3& cell) {
+  return static_cast<uint>(cell.x) * 0x8DA6B343u ^ static_cast<uint>(cell.y) * 0xD8163841u ^
+         static_cast<uint>(cell.z) * 0xCB1AB31Fu;
+}
+
+// Where in step i a marcher samples, as a share of the step.
+double march_share(int method, const RandomStream& random, uint i) {
+  if (method == METHOD_MARCH_REGULAR) return 0;
+  if (method == METHOD_MARCH_REGULAR_JITTER) return random.at(i, RANDOM_PLACE);
+  if (method == METHOD_MARCH_MIDPOINT_JITTER) return 0.5 + (random.at(i, RANDOM_PLACE) - 0.5) / 2;
+  return 0.5;
+}
+
+bool method_marches(int method) {
+  return method == METHOD_MARCH_REGULAR || method == METHOD_MARCH_MIDPOINT || method == METHOD_MARCH_REGULAR_JITTER ||
+         method == METHOD_MARCH_MIDPOINT_JITTER;
+}
+
 template <class Visit>
 void dda_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, const Interval& span, int method,
                Visit visit) {
   const std::vector<double> crossings = cell_crossings(ray, span.t0, span.t1);
   for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
-    SegmentD segment{crossings[i], crossings[i + 1], ivec3(0), 0, 0};
+    SegmentD segment{crossings[i], crossings[i + 1], ivec3(0), 0, 0, 0};
     segment.sample = segment.middle();
     segment.cell = cell_at(medium, ray.at(segment.middle()));
+    segment.id = cell_name(segment.cell);
     segment.density_length = dda_rule(scene, medium, ray, segment, method);
     visit(segment);
   }
@@ -93,13 +112,13 @@ void dda_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, co
 
 template <class Visit>
 void march_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, const Interval& span, int method,
-                 Visit visit) {
+                 const RandomStream& random, Visit visit) {
   const double length = span.t1 - span.t0;
   const double count = std::max(1.0, std::ceil(length / medium.step - 1.0 / 1024));
   const auto border = [&](double i) { return i == count ? span.t1 : span.t0 + length * (i / count); };
   for (double i = 0; i < count; ++i) {
-    SegmentD segment{border(i), border(i + 1), ivec3(0), 0, 0};
-    segment.sample = method == METHOD_MARCH_REGULAR ? segment.t_begin : segment.middle();
+    SegmentD segment{border(i), border(i + 1), ivec3(0), 0, 0, static_cast<uint>(i)};
+    segment.sample = segment.t_begin + march_share(method, random, segment.id) * (segment.t_end - segment.t_begin);
     const dvec3 p = ray.at(segment.sample);
     segment.cell = cell_at(medium, p);
     segment.density_length = density_at(scene, medium, p) * (length / count);
@@ -110,11 +129,11 @@ void march_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, 
 // Calls visit(segment) from front to back.
 template <class Visit>
 void segments_visit(const FlatScene& scene, const Medium& medium, const RayD& world, const Interval& span, int method,
-                    Visit visit) {
+                    const RandomStream& random, Visit visit) {
   if (span.empty()) return;
   const RayD ray = ray_to_cells(medium, world);
-  if (method == METHOD_MARCH_MIDPOINT || method == METHOD_MARCH_REGULAR || method == METHOD_HOMOGENEOUS)
-    march_visit(scene, medium, ray, span, method, visit);
+  if (method_marches(method) || method == METHOD_HOMOGENEOUS)
+    march_visit(scene, medium, ray, span, method, random, visit);
   else
     dda_visit(scene, medium, ray, span, method, visit);
 }
@@ -162,21 +181,23 @@ double density_at(const FlatScene& scene, const Medium& medium, const dvec3& p) 
   return density_in_cell(scene, medium, cell_at(medium, inside), inside);
 }
 
-std::vector<SegmentD> segments(const FlatScene& scene, int medium, const RayD& ray, double t0, double t1, int method) {
+std::vector<SegmentD> segments(const FlatScene& scene, int medium, const RayD& ray, double t0, double t1, int method,
+                               const RandomStream& random) {
   std::vector<SegmentD> found;
   const Medium& m = medium_of(scene, medium);
-  segments_visit(scene, m, ray, medium_interval(m, ray, t0, t1), method,
+  segments_visit(scene, m, ray, medium_interval(m, ray, t0, t1), method, random,
                  [&](const SegmentD& s) { found.push_back(s); });
   return found;
 }
 
-double optical_depth(const FlatScene& scene, int medium, const RayD& ray, double t_max, int method, double* lookups) {
+double optical_depth(const FlatScene& scene, int medium, const RayD& ray, double t_max, int method, double* lookups,
+                     const RandomStream& random) {
   const Medium& m = medium_of(scene, medium);
   const Interval span = medium_interval(m, ray, 0, t_max);
   if (span.empty()) return 0;
   if (method == METHOD_HOMOGENEOUS) return m.constant_density * (span.t1 - span.t0);
   double depth = 0, count = 0;
-  segments_visit(scene, m, ray, span, method, [&](const SegmentD& s) {
+  segments_visit(scene, m, ray, span, method, random, [&](const SegmentD& s) {
     depth += s.density_length;
     ++count;
   });

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "flat/flat_scene.hpp"
+#include "reference/random.hpp"
 #include "reference/vec.hpp"
 
 namespace brume::reference {
@@ -30,18 +31,20 @@ struct SegmentD {
   double t_begin, t_end;
   ivec3 cell;             // the cell of the middle
   double density_length;  // ∫ρ dt
-  double sample;          // where light is sampled: the middle, but for march_regular
+  double sample;          // where density (of marchers) and light are sampled
+  uint id;                // names its random numbers: the number of the step, or a hash of the cell
   double middle() const { return 0.5 * (t_begin + t_end); }
 };
 
 // The segments of one medium (an index into FlatScene::media) within [t0, t1], in order and without gaps; none has
-// length 0.
-std::vector<SegmentD> segments(const FlatScene& scene, int medium, const RayD& ray, double t0, double t1, int method);
+// length 0. `random` places the samples of marchers with jitter.
+std::vector<SegmentD> segments(const FlatScene& scene, int medium, const RayD& ray, double t0, double t1, int method,
+                               const RandomStream& random = {});
 
 // ∫ρ dt over [0, t_max] by the method, without coefficients. Adds to *lookups, if given, the evaluations of the
 // density.
 double optical_depth(const FlatScene& scene, int medium, const RayD& ray, double t_max, int method,
-                     double* lookups = nullptr);
+                     double* lookups = nullptr, const RandomStream& random = {});
 
 // Evaluations of the density that one segment of the method costs: 0 in a constant medium.
 int segment_lookups(const Medium& medium, int method);

@@ -15,7 +15,7 @@ struct PixelD {
 };
 
 // One sample of one ray; `samples` is 1.
-PixelD ray_render(const Context& context, const RayD& ray);
+PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& random = {});
 
 // All samples of pixel (x, y), y = 0 at the top.
 PixelD pixel_render(const Context& context, int x, int y);

@@ -37,9 +37,10 @@ struct Context {
 
 dvec3 sigma_t_of(const Medium& medium);
 dvec3 transmittance_of(const dvec3& tau);  // exp(-τ) per channel
+dvec3 tau_of(const dvec3& transmittance);  // -log T per channel
 
 // τ per channel of all media over [0, t_max].
-dvec3 media_tau(const Context& context, const RayD& ray, double t_max, double& lookups);
+dvec3 media_tau(const Context& context, const RayD& ray, double t_max, const RandomStream& random, double& lookups);
 
 // One light at a point. `ray_origin` is the point itself, or the point lifted off the surface on which it lies.
 struct Arrival {
@@ -47,9 +48,9 @@ struct Arrival {
   bool blocked;      // by a surface
   dvec3 irradiance;  // E·V·T_light
 };
-// media: τ of all media to the light where it is known already.
-Arrival light_arrival(const Context& context, const Light& light, const dvec3& point, const dvec3& ray_origin,
-                      double& lookups, const dvec3* media = nullptr);
+// `random` is that of the ray or segment that asks. media: τ of all media to the light where it is known already.
+Arrival light_arrival(const Context& context, std::size_t light, const dvec3& point, const dvec3& ray_origin,
+                      const RandomStream& random, double& lookups, const dvec3* media = nullptr);
 
 struct Scattered {
   dvec3 radiance{0};    // as it arrives at the ray's origin
@@ -57,6 +58,6 @@ struct Scattered {
   uint shadow_key = 0;  // by the segment rule only; 0 in exact pictures, which have no such samples
   double lookups = 0;
 };
-Scattered media_scatter(const Context& context, const RayD& ray, double t_max);
+Scattered media_scatter(const Context& context, const RayD& ray, double t_max, const RandomStream& random);
 
 }  // namespace brume::reference

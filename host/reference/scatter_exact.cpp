@@ -54,8 +54,8 @@ dvec3 source_of_all(const Context& context, const RayD& ray, const std::vector<P
   dvec3 source(0);
   const dvec3 point = ray.at(t);
   for (const Piece& piece : pieces) source += vec_promote(piece.medium->emission) * piece.density(context.scene, t);
-  for (const Light& light : context.scene.lights) {
-    const Arrival arrival = light_arrival(context, light, point, point, result.lookups);
+  for (std::size_t i = 0; i < context.scene.lights.size(); ++i) {
+    const Arrival arrival = light_arrival(context, i, point, point, {}, result.lookups);
     const double cosine = glm::dot(arrival.light.travel, -ray.dir);
     for (const Piece& piece : pieces)
       source += vec_promote(piece.medium->sigma_s) * arrival.irradiance *

@@ -18,6 +18,7 @@ DeviceScene::DeviceScene(Context& context, const FlatScene& s, int tau_channels)
       context.buffer("BVH triangle numbers", s.bvh_ids),
       context.buffer("media", s.media),
       context.buffer("brick index", s.bricks),
+      context.buffer("brick ranges", s.brick_ranges),
       context.buffer("voxels", s.voxels),
       context.buffer("light grid", static_cast<std::size_t>(s.light_entries * tau_channels) * sizeof(float)),
   };

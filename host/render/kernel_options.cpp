@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "shared/method.h"
+
 namespace brume {
 
 namespace {
@@ -23,6 +25,8 @@ std::string scene_options(const FlatScene& s) {
   return define("MEDIA", static_cast<unsigned>(std::min<std::size_t>(media.size(), 2))) +
          define("COLOR_TAU", s.color_tau) +
          define("METHODS_USED", bits_used(media, [](const Medium& m) { return m.method; })) +
+         define("JITTER", (s.draws >> DRAWS_PLACES) & 1u) + define("TRACKING", (s.draws >> DRAWS_COLLISIONS) & 1u) +
+         define("ROULETTE", s.frame.roulette > 0) +
          define("SPHERE_REGION", (bits_used(media, [](const Medium& m) { return m.region; }) >> REGION_SPHERE) & 1u) +
          define("LIGHT_GRID", s.light_entries > 0) +
          define("PHASES_USED", bits_used(media, [](const Medium& m) { return m.phase; })) +

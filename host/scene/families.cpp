@@ -39,7 +39,7 @@ FAMILY(in_scattering_family, IN_SCATTERING, BRUME_IN_SCATTERINGS)
 #define ROW(id, name, help) {SHADOW_##id, name, help},
 FAMILY(shadow_family, SHADOW, BRUME_SHADOWS)
 #undef ROW
-#define ROW(id, name, fits, step, help) {METHOD_##id, name, help},
+#define ROW(id, name, fits, step, draws, help) {METHOD_##id, name, help},
 FAMILY(method_family, METHOD, BRUME_METHODS)
 #undef ROW
 #undef FAMILY
@@ -64,15 +64,17 @@ namespace {
 struct MethodTraits {
   int fits;
   bool step;
+  int draws;
 };
 constexpr MethodTraits METHOD_TRAITS[] = {
-#define ROW(id, name, fits, step, help) {fits, step != 0},
+#define ROW(id, name, fits, step, draws, help) {fits, step != 0, draws},
     BRUME_METHODS(ROW)
 #undef ROW
 };
 }  // namespace
 
 int method_fits(int method) { return METHOD_TRAITS[method].fits; }
+int method_draws(int method) { return METHOD_TRAITS[method].draws; }
 bool method_has_step(int method) { return METHOD_TRAITS[method].step; }
 
 }  // namespace brume

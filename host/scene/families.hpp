@@ -20,5 +20,6 @@ const Family& mesh_shading_family();
 // FITS_x bits of a method (shared/method.h), and whether it reads render.step.
 int method_fits(int method);
 bool method_has_step(int method);
+int method_draws(int method);  // DRAWS_x
 
 }  // namespace brume

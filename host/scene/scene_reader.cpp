@@ -86,6 +86,7 @@ RenderDesc read_render(const JsonValue& scene) {
   r.in_scattering = render.member("in_scattering", r.in_scattering, in_scattering_family(), "in-scattering rule");
   r.shadow = render.member("shadow", r.shadow, shadows, "shadow mode");
   r.light_grid = render.integer("light_grid", r.light_grid, 1, LIGHT_GRID_MAX);
+  r.roulette = render.number("roulette", r.roulette, Range::closed(0, 1));
   r.max_depth = render.integer("max_depth", r.max_depth, 0, 64);
   r.seed = render.integer("seed", r.seed, 0, 0x7fffffff);
   refuse_reserved(render, Part::RENDER);

@@ -90,6 +90,12 @@ static inline int dda_step_brick(const Medium* medium, Dda* d) {
          axis_inside(&d->z, medium->brick_nz);
 }
 
+// Number of the current brick among all bricks of the scene.
+static inline int dda_brick_index(const Medium* medium, const Dda* d) {
+  const int x = (int)d->x.brick, y = (int)d->y.brick, z = (int)d->z.brick;
+  return medium->brick_offset + (z * medium->brick_ny + y) * medium->brick_nx + x;
+}
+
 // Skips to the next brick that is stored and crossed over a positive length: afterwards the ray is in it from s to
 // brick_end. 0 when there is none; s is then at the end.
 static inline int dda_next_brick(const Medium* medium, __global const int* bricks, Dda* d) {
@@ -97,11 +103,10 @@ static inline int dda_next_brick(const Medium* medium, __global const int* brick
   d->begun = 1;
   for (; inside && d->s < d->end; inside = dda_step_brick(medium, d)) {
     const float exit = fmin(dda_brick_exit(d), d->end);
-    const int x = (int)d->x.brick, y = (int)d->y.brick, z = (int)d->z.brick;
-    const int entry = bricks[medium->brick_offset + (z * medium->brick_ny + y) * medium->brick_nx + x];
+    const int entry = bricks[dda_brick_index(medium, d)];
     if (entry != BRICK_EMPTY && exit > d->s) {
       d->brick_end = exit;
-      d->base = entry * BRICK_VALUES - brick_stride(x * BRICK_CELLS, y * BRICK_CELLS, z * BRICK_CELLS);
+      d->base = entry * BRICK_VALUES - BRICK_CELLS * brick_stride((int)d->x.brick, (int)d->y.brick, (int)d->z.brick);
       return 1;
     }
     d->s = fmax(d->s, exit);

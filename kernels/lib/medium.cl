@@ -52,6 +52,13 @@ typedef struct {
   float size[W];   // world length; 0 beyond count
   int base[W];     // of the brick: the sample of cell (x, y, z) is at base + brick_stride(x, y, z)
   float x[W], y[W], z[W];
+#if BRUME_RANDOM
+  uint id[W];  // number of the segment along the ray: names its random numbers
+#endif
+#if BRUME_TRACKING
+  float low[W];      // lower bound of the density in the brick
+  float control[W];  // ∫ of such bounds from the segment before to this one
+#endif
 } Segments;
 
 #define REACH_CELL 0                   // x, y, z is the cell itself
@@ -68,6 +75,13 @@ static inline void segments_pad(Segments* out) {
     out->x[i] = 0.0f;
     out->y[i] = 0.0f;
     out->z[i] = 0.0f;
+#if BRUME_RANDOM
+    out->id[i] = 0;
+#endif
+#if BRUME_TRACKING
+    out->low[i] = 0.0f;
+    out->control[i] = 0.0f;
+#endif
   }
 }
 

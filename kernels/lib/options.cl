@@ -26,6 +26,15 @@
 #ifndef BRUME_METHODS_USED  // bit METHOD_x: some medium uses that method
 #define BRUME_METHODS_USED ((1 << METHOD_COUNT) - 1)
 #endif
+#ifndef BRUME_JITTER  // some medium marches with jitter
+#define BRUME_JITTER 1
+#endif
+#ifndef BRUME_TRACKING  // some medium tracks collisions
+#define BRUME_TRACKING 1
+#endif
+#ifndef BRUME_ROULETTE  // the frame has a roulette threshold
+#define BRUME_ROULETTE 1
+#endif
 #ifndef BRUME_SPHERE_REGION  // some medium fills a sphere instead of its box
 #define BRUME_SPHERE_REGION 1
 #endif
@@ -56,6 +65,7 @@
 
 // For use in C conditions, where the compiler folds them; a preprocessor #if would take the enum's names for 0.
 #define USES_METHOD(id) (((BRUME_METHODS_USED) >> METHOD_##id) & 1)
+#define BRUME_RANDOM (BRUME_ROULETTE || BRUME_JITTER || BRUME_TRACKING)
 #define USES_PHASE(id) (((BRUME_PHASES_USED) >> PHASE_##id) & 1)
 #define USES_SHAPE(id) (((BRUME_SHAPES_USED) >> SHAPE_##id) & 1)
 #define USES_LIGHT(id) (((BRUME_LIGHTS_USED) >> LIGHT_##id) & 1)
@@ -63,5 +73,6 @@
 
 // The rest of a ray is dropped once τ exceeds this in every channel: less than e^-24 = 4e-11 of what lies behind.
 #define TAU_STOP 24.0f
+#define TAU_BLACK 1e4f  // nothing gets through: exp(-1e4) is 0
 
 #endif

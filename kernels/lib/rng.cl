@@ -1,6 +1,8 @@
 // Random numbers as a pure function of (pixel, sample, dimension, seed) [Jarzynski20, pcg4d].
 #ifndef BRUME_LIB_RNG_CL
 #define BRUME_LIB_RNG_CL
+#include "shared/frame.h"
+#include "shared/random.h"
 
 static inline float rng_uniform(uint pixel, uint sample, uint dimension, uint seed) {
   uint x = pixel * 1664525u + 1013904223u;
@@ -17,6 +19,38 @@ static inline float rng_uniform(uint pixel, uint sample, uint dimension, uint se
   w ^= w >> 16;
   x += y * w;
   return (float)(x >> 8) * 0x1p-24f;
+}
+
+// The random numbers of one walk. Streams form a tree: each ray, medium and light on the way has its own.
+typedef struct {
+  uint pixel, sample, seed;
+} Random;
+
+// Finaliser of MurmurHash3 [Appleby11].
+static inline uint random_mix(uint h) {
+  h = (h ^ (h >> 16)) * 0x85EBCA6Bu;
+  h = (h ^ (h >> 13)) * 0xC2B2AE35u;
+  return h ^ (h >> 16);
+}
+
+static inline Random random_stream(Random parent, uint id) {
+  Random r = parent;
+  r.seed = random_mix(parent.seed * 0x9E3779B1u + id + 1u);
+  return r;
+}
+
+// Of a camera ray.
+static inline Random random_begin(__constant const Frame* frame, uint pixel, uint sample) {
+  Random r;
+  r.pixel = pixel;
+  r.sample = sample;
+  r.seed = frame->seed;
+  return r;
+}
+
+// `purpose`: RANDOM_x; `n`: the number of the segment.
+static inline float random_at(const Random* r, uint n, uint purpose) {
+  return rng_uniform(r->pixel, r->sample, n * RANDOM_PURPOSES + purpose, r->seed);
 }
 
 #endif

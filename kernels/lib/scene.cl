@@ -25,6 +25,7 @@ typedef struct {
   __global const int* bvh_ids;
   __global const Medium* media;
   __global const int* bricks;
+  __global const float* ranges;
   __global const float* voxels;
   __global const float* light_tau;
 } Scene;
@@ -34,12 +35,13 @@ typedef struct {
       __global const Texture *textures, __global const float *texels, __global const Shape *shapes,       \
       __global const Triangle *triangles, __global const float *bvh_nodes, __global const int *bvh_links, \
       __global const float *bvh_blocks, __global const int *bvh_ids, __global const Medium *media,        \
-      __global const int *bricks, __global const float *voxels, __global const float *light_tau
+      __global const int *bricks, __global const float *ranges, __global const float *voxels,             \
+      __global const float *light_tau
 
 #define SCENE_PACK                                                                                                   \
   {                                                                                                                  \
     frame, lights, materials, textures, texels, shapes, triangles, bvh_nodes, bvh_links, bvh_blocks, bvh_ids, media, \
-        bricks, voxels, light_tau                                                                                    \
+        bricks, ranges, voxels, light_tau                                                                            \
   }
 
 #endif

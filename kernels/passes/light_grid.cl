@@ -31,7 +31,9 @@ __kernel void light_grid(SCENE_ARGS, int medium, uint count, __global float* out
     const float3 point = affine_point(&m.world_from_cell, p);
     const LightSample light = light_sample(lights, light_index, point);
     uint lookups = 0;
-    if (vec_max(light.irradiance) > 0.0f) tau = media_tau(&scene, -1, point, -light.travel, light.distance, &lookups);
+    if (vec_max(light.irradiance) > 0.0f)
+      tau = media_tau(&scene, -1, point, -light.travel, light.distance, random_begin(frame, (uint)i, (uint)light_index),
+                      &lookups);
   }
 #if BRUME_COLOR_TAU
   const float channels[3] = {tau.x, tau.y, tau.z};

@@ -5,6 +5,7 @@
 
 typedef struct {
   float3 origin, dir, weight;
+  Random random;
   int depth;  // 1 for the rays of the first hit
 } PathRay;
 
@@ -13,18 +14,21 @@ typedef struct {
   int count;
 } PathStack;
 
-static inline void path_push(PathStack* stack, const Surface* surface, float3 dir, float3 weight, int depth) {
+static inline void path_push(PathStack* stack, const Surface* surface, float3 dir, float3 weight, Random random,
+                             int depth) {
   if (!(vec_max(weight) > 0.0f)) return;
   PathRay ray;
   ray.dir = normalize(dir);
   ray.origin = surface_leave(surface, ray.dir);
   ray.weight = weight;
+  ray.random = random;
   ray.depth = depth;
   stack->rays[stack->count++] = ray;
 }
 
 // Where total reflection leaves no refracted ray, the reflected one takes its weight.
-static inline void path_continue(const Scene* scene, PathStack* stack, const Shading* s, float3 weight, int depth) {
+static inline void path_continue(const Scene* scene, PathStack* stack, const Shading* s, float3 weight, Random random,
+                                 int depth) {
   if (depth > scene->frame->max_depth) return;
   float reflection = s->material.reflection, refraction = s->material.refraction;
   const float3 n = s->surface.normal, d = s->dir;
@@ -33,12 +37,15 @@ static inline void path_continue(const Scene* scene, PathStack* stack, const Sha
     const float eta = s->surface.leaving ? s->material.ior : 1.0f / s->material.ior;
     const float k = 1.0f - eta * eta * (1.0f - cosine * cosine);
     if (k >= 0.0f) {
-      path_push(stack, &s->surface, eta * d + (eta * cosine - sqrt(k)) * n, weight * refraction, depth);
+      path_push(stack, &s->surface, eta * d + (eta * cosine - sqrt(k)) * n, weight * refraction,
+                random_stream(random, STREAM_REFRACT), depth);
     } else {
       reflection += refraction;
     }
   }
-  if (reflection > 0.0f) path_push(stack, &s->surface, d + 2.0f * cosine * n, weight * reflection, depth);
+  if (reflection > 0.0f)
+    path_push(stack, &s->surface, d + 2.0f * cosine * n, weight * reflection, random_stream(random, STREAM_REFLECT),
+              depth);
 }
 
 // One ray of the stack: its light times its weight.
@@ -50,16 +57,16 @@ static inline float3 path_follow(const Scene* scene, PathStack* stack, MediumRes
   ray.pixel = 0;
   ray.sample = 0;
   const Hit hit = scene_hit(scene, path.origin, path.dir, INFINITY, 0);
-  const MediumResult medium = media_scatter(scene, path.origin, path.dir, hit.t);
+  const MediumResult medium = media_scatter(scene, path.origin, path.dir, hit.t, path.random);
   float3 behind = vec_unpack(scene->frame->background);
   uint lit = 0, second = 0, lookups = 0;
   if (hit.primitive != PRIMITIVE_NONE) {
     Shading shading = shading_begin(scene, &ray, &hit);
     for (int l = 0; l < scene->frame->light_count; ++l) {
-      const LightArrival arrival = surface_arrival(scene, &shading.surface, l, &lookups);
+      const LightArrival arrival = surface_arrival(scene, &shading.surface, l, path.random, &lookups);
       shading_add_light(scene, &shading, l, &arrival);
     }
-    path_continue(scene, stack, &shading, path.weight * vec_unpack(medium.transmittance), path.depth + 1);
+    path_continue(scene, stack, &shading, path.weight * vec_unpack(medium.transmittance), path.random, path.depth + 1);
     behind = shading.radiance;
     lit = shading.lit;
     second = shading.second;
@@ -67,8 +74,12 @@ static inline float3 path_follow(const Scene* scene, PathStack* stack, MediumRes
   }
   sum->shadow_rays += medium.shadow_rays;
   sum->lookups += medium.lookups + lookups;
+  uint walked = medium.shadow_key;
+#if BRUME_TRACKING
+  walked += medium.lookups + lookups;
+#endif
   ++sum->secondary_rays;
-  *key += shading_key(hit.primitive, lit, medium.shadow_key, second) * (uint)(2 * path.depth + 1);
+  *key += shading_key(hit.primitive, lit, walked, second) * (uint)(2 * path.depth + 1);
   return path.weight * (vec_unpack(medium.radiance) + vec_unpack(medium.transmittance) * behind);
 }
 
@@ -83,7 +94,7 @@ __kernel void secondary_rays(SCENE_ARGS, uint count, __global const Ray* rays, _
   PathStack stack;
   stack.count = 0;
   MediumResult sum = results[item];
-  path_continue(&scene, &stack, &first, vec_unpack(sum.transmittance), 1);
+  path_continue(&scene, &stack, &first, vec_unpack(sum.transmittance), random_begin(frame, ray.pixel, ray.sample), 1);
   if (stack.count == 0) return;
   float3 radiance = (float3)(0.0f);
   uint key = 0;

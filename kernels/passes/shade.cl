@@ -10,7 +10,10 @@ __kernel void shade(SCENE_ARGS, uint count, __global const Ray* rays, __global c
   const MediumResult medium = results[item];
   float3 behind = vec_unpack(frame->background);
   float3 normal = (float3)(0.0f);
-  uint lit = 0, second = 0;
+  uint lit = 0, second = 0, walked = medium.shadow_key;
+#if BRUME_TRACKING
+  walked += medium.lookups;  // as in media_scatter: those of the shadow rays from the hit too
+#endif
 #if HAS_SURFACES
   const Hit hit = hits[item];
   if (hit.primitive != PRIMITIVE_NONE) {
@@ -28,7 +31,7 @@ __kernel void shade(SCENE_ARGS, uint count, __global const Ray* rays, __global c
 #endif
   Sample sample;
   sample.radiance = vec_pack(vec_unpack(medium.radiance) + vec_unpack(medium.transmittance) * behind);
-  sample.key = shading_key(hits[item].primitive, lit, medium.shadow_key, second);
+  sample.key = shading_key(hits[item].primitive, lit, walked, second);
   sample.normal = vec_pack(normal);
   sample.pad = 0.0f;
   samples[item] = sample;

@@ -9,9 +9,10 @@ __kernel void shadow_transmittance(SCENE_ARGS, uint count, __global const Ray* r
   const Ray ray = rays[item];
   const Hit hit = hits[item];
   const Surface surface = surface_at(&scene, &ray, &hit);
+  const Random random = random_begin(frame, ray.pixel, ray.sample);
   uint lookups = 0;
   for (int l = 0; l < frame->light_count; ++l)
-    arrivals[(size_t)l * count + item] = surface_arrival(&scene, &surface, l, &lookups);
+    arrivals[(size_t)l * count + item] = surface_arrival(&scene, &surface, l, random, &lookups);
   results[item].lookups += lookups;
   results[item].shadow_rays += (uint)frame->light_count;
 }

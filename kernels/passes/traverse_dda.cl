@@ -6,5 +6,7 @@ __kernel void traverse_dda(SCENE_ARGS, uint count, __global const Ray* rays, __g
   const uint item = (uint)get_global_id(0);
   if (item >= count) return;
   const Scene scene = SCENE_PACK;
-  results[item] = media_scatter(&scene, vec_unpack(rays[item].origin), vec_unpack(rays[item].dir), hits[item].t);
+  const Ray ray = rays[item];
+  results[item] = media_scatter(&scene, vec_unpack(ray.origin), vec_unpack(ray.dir), hits[item].t,
+                                random_begin(frame, ray.pixel, ray.sample));
 }

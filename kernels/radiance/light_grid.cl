@@ -1,13 +1,7 @@
 // Optical depths to a light from the light grid of a medium (shared/medium.h), for all lanes at once.
 #ifndef BRUME_RADIANCE_LIGHT_GRID_CL
 #define BRUME_RADIANCE_LIGHT_GRID_CL
-#include "lib/medium.cl"
-
-#if BRUME_COLOR_TAU
-#define TAU_CHANNELS 3
-#else
-#define TAU_CHANNELS 1
-#endif
+#include "radiance/tau.cl"
 
 static inline int light_grid_points(const Medium* m) { return m->light_nx * m->light_ny * m->light_nz; }
 

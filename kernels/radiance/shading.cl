@@ -4,7 +4,8 @@
 #include "radiance/material.cl"
 #include "radiance/radiative.cl"
 
-static inline LightArrival surface_arrival(const Scene* scene, const Surface* surface, int l, uint* lookups) {
+static inline LightArrival surface_arrival(const Scene* scene, const Surface* surface, int l, Random random,
+                                           uint* lookups) {
   LightArrival arrival;
   arrival.lit = 0;
   arrival.transmittance = vec_pack((float3)(0.0f));
@@ -13,7 +14,8 @@ static inline LightArrival surface_arrival(const Scene* scene, const Surface* su
   const float3 from = surface_leave(surface, to_light);
   if (dot(surface->normal, to_light) > 0.0f && !scene_occluded(scene, from, to_light, light.distance)) {
     arrival.lit = 1;
-    arrival.transmittance = vec_pack(media_transmittance(scene, from, to_light, light.distance, lookups));
+    arrival.transmittance = vec_pack(media_transmittance(scene, from, to_light, light.distance,
+                                                         random_stream(random, STREAM_LIGHT + (uint)l), lookups));
   }
   return arrival;
 }

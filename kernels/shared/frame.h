@@ -17,7 +17,8 @@ typedef struct {
   uint seed;
   int in_scattering;
   int max_depth;
-  int pad[2];
+  float roulette;  // view rays below this transmittance are ended at random, the rest weighs more; 0: never
+  int pad;
   int crop_x0, crop_y0, crop_x1, crop_y1;  // pixels rendered: [x0,x1) x [y0,y1)
 } Frame;
 BRUME_LAYOUT(Frame, 144);

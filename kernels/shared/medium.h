@@ -43,7 +43,8 @@ typedef struct {
   int method;                        // Method, resolved: never auto
   int light_nx, light_ny, light_nz;  // at least 2 each; all 0: light is traced
   int light_offset;
-  float pad[2];
+  float track_sigma;  // extinction per density at which trackers collide: the largest σt, or what makes a glow seen
+  float pad;
 } Medium;
 BRUME_LAYOUT(Medium, 240);
 BRUME_SHARED_END

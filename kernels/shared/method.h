@@ -8,15 +8,32 @@
 #define FITS_TRILINEAR 2
 #define FITS_CONSTANT 4
 
-// ROW(ID, name, fits, has a step, help)
-#define BRUME_METHODS(ROW)                                                                                           \
-  ROW(DDA_NEAREST, "dda_nearest", FITS_NEAREST, 0, "voxel by voxel; exact for nearest")                              \
-  ROW(DDA_GAUSS2, "dda_gauss2", FITS_TRILINEAR, 0, "cell by cell, 2-point Gauss-Legendre; exact for trilinear")      \
-  ROW(DDA_MIDPOINT, "dda_midpoint", FITS_TRILINEAR, 0, "cell by cell, one sample in the middle")                     \
-  ROW(MARCH_REGULAR, "march_regular", FITS_NEAREST | FITS_TRILINEAR, 1, "equal steps, one sample where each begins") \
-  ROW(MARCH_MIDPOINT, "march_midpoint", FITS_NEAREST | FITS_TRILINEAR, 1,                                            \
-      "equal steps, one sample in the middle of each")                                                               \
-  ROW(HOMOGENEOUS, "homogeneous", FITS_CONSTANT, 1,                                                                  \
+// What a method draws random numbers for.
+#define DRAWS_NOTHING 0
+#define DRAWS_PLACES 1      // where in each step to sample
+#define DRAWS_COLLISIONS 2  // where to collide: right in the mean for any density
+
+// ROW(ID, name, fits, has a step, draws, help)
+#define BRUME_METHODS(ROW)                                                                                      \
+  ROW(DDA_NEAREST, "dda_nearest", FITS_NEAREST, 0, DRAWS_NOTHING, "voxel by voxel; exact for nearest")          \
+  ROW(DDA_GAUSS2, "dda_gauss2", FITS_TRILINEAR, 0, DRAWS_NOTHING,                                               \
+      "cell by cell, 2-point Gauss-Legendre; exact for trilinear")                                              \
+  ROW(DDA_MIDPOINT, "dda_midpoint", FITS_TRILINEAR, 0, DRAWS_NOTHING, "cell by cell, one sample in the middle") \
+  ROW(MARCH_REGULAR, "march_regular", FITS_NEAREST | FITS_TRILINEAR, 1, DRAWS_NOTHING,                          \
+      "equal steps, one sample where each begins")                                                              \
+  ROW(MARCH_REGULAR_JITTER, "march_regular_jitter", FITS_NEAREST | FITS_TRILINEAR, 1, DRAWS_PLACES,             \
+      "equal steps, one sample anywhere in each")                                                               \
+  ROW(MARCH_MIDPOINT, "march_midpoint", FITS_NEAREST | FITS_TRILINEAR, 1, DRAWS_NOTHING,                        \
+      "equal steps, one sample in the middle of each")                                                          \
+  ROW(MARCH_MIDPOINT_JITTER, "march_midpoint_jitter", FITS_NEAREST | FITS_TRILINEAR, 1, DRAWS_PLACES,           \
+      "equal steps, one sample anywhere in the middle half of each")                                            \
+  ROW(DELTA_TRACKING, "delta_tracking", FITS_NEAREST | FITS_TRILINEAR, 0, DRAWS_COLLISIONS,                     \
+      "to the first collision; unbiased, noisy: transmittance is 0 or 1")                                       \
+  ROW(RATIO_TRACKING, "ratio_tracking", FITS_NEAREST | FITS_TRILINEAR, 0, DRAWS_COLLISIONS,                     \
+      "through all collisions, weakened by each; unbiased")                                                     \
+  ROW(RESIDUAL_RATIO, "residual_ratio", FITS_NEAREST | FITS_TRILINEAR, 0, DRAWS_COLLISIONS,                     \
+      "ratio tracking of what exceeds each brick's smallest density; unbiased")                                 \
+  ROW(HOMOGENEOUS, "homogeneous", FITS_CONSTANT, 1, DRAWS_NOTHING,                                              \
       "closed form for a constant density (also cut to a sphere); equal steps for the light")
 
 // How the light scattered along a segment is summed.
@@ -35,7 +52,7 @@
 
 BRUME_SHARED_BEGIN
 enum Method {
-#define ROW(id, name, fits, step, help) METHOD_##id,
+#define ROW(id, name, fits, step, draws, help) METHOD_##id,
   BRUME_METHODS(ROW)
 #undef ROW
       METHOD_COUNT

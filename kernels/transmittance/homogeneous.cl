@@ -8,6 +8,9 @@ static inline void homogeneous_fill(Steps* s, Segments* out) {
   for (; n < W && s->next < s->count; ++n, ++s->next) {
     out->place[n] = ((float)s->next + 0.5f) * s->size;
     out->size[n] = s->size;
+#if BRUME_RANDOM
+    out->id[n] = (uint)s->next;
+#endif
   }
   out->count = n;
 }

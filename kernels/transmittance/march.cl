@@ -1,4 +1,4 @@
-// march_regular, march_midpoint: equal steps, one sample of either interpolation in each.
+// The marchers and trackers: one sample of either interpolation in each segment, wherever in its brick.
 #ifndef BRUME_TRANSMITTANCE_MARCH_CL
 #define BRUME_TRANSMITTANCE_MARCH_CL
 #include "transmittance/steps.cl"

@@ -27,7 +27,7 @@ double fog_density(const dvec3& p) {
   return sum > 0.02 ? sum - 0.02 : 0;
 }
 
-// The fog in the low corner of a cube of `side` voxels; world size of a voxel 1/FOG.
+// The fog in the low corner of a cube of `side` voxels, the rest of which is empty; world size of a voxel 1/FOG.
 void fog_write(int side, const std::filesystem::path& file) {
   Grid grid{ivec3(side)};
   grid.name = "density";
@@ -39,7 +39,6 @@ void fog_write(int side, const std::filesystem::path& file) {
         const double density = fog_density((dvec3(x, y, z) + 0.5) / double(FOG));
         if (density > 0) grid.set({x, y, z}, static_cast<float>(density));
       }
-  if (side > FOG) grid.set(ivec3(side - 1), 1e-6f);  // keeps the bounds at the full cube
   vdb_write(grid, file);
 }
 

@@ -1,6 +1,7 @@
 // Grid → bricks. Nearest: cell c is voxel c. Trilinear: samples are padded by one on each side (by the border rule), so that padded
 // sample s = i + 1 sits at cell-space position s, which is lattice + 0.5.
 #include <algorithm>
+#include <glm/vector_relational.hpp>
 #include <map>
 
 #include "base/error.hpp"
@@ -74,6 +75,25 @@ std::int32_t brick_store(const Brick& brick, std::map<float, std::int32_t>& cons
   return number;
 }
 
+// The cells in which the density is not 0: what lies outside of them need not be crossed, lit or given a light grid.
+struct Occupied {
+  ivec3 lo{0x7fffffff}, hi{-1};  // cells [lo, hi)
+
+  // Sample s reaches the cells from s - pad to s.
+  void add(const Brick& brick, ivec3 first, int pad) {
+    const int read = pad > 0 ? BRICK_SAMPLES : BRICK_CELLS;
+    if (glm::all(glm::greaterThanEqual(first, lo)) && glm::all(glm::lessThanEqual(first + read, hi))) return;
+    for (int z = 0; z < read; ++z)
+      for (int y = 0; y < read; ++y)
+        for (int x = 0; x < read; ++x) {
+          if (brick.samples[(z * BRICK_SAMPLES + y) * BRICK_SAMPLES + x] == 0) continue;
+          const ivec3 sample = first + ivec3(x, y, z);
+          lo = glm::min(lo, sample - pad);
+          hi = glm::max(hi, sample + 1);
+        }
+  }
+};
+
 }  // namespace
 
 void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene) {
@@ -94,6 +114,7 @@ void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene) {
     throw InputError(grid.source + ": " + std::to_string(bricks.x) + "x" + std::to_string(bricks.y) + "x" +
                      std::to_string(bricks.z) + " bricks are more than 2^31");
   std::map<float, std::int32_t> constants;
+  Occupied occupied;
   for (int z = 0; z < bricks.z; ++z)
     for (int y = 0; y < bricks.y; ++y)
       for (int x = 0; x < bricks.x; ++x) {
@@ -104,11 +125,17 @@ void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene) {
           const Brick brick = brick_cut(grid, b, pad);
           min = brick.min;
           max = brick.max;
-          if (max > 0) entry = brick_store(brick, constants, scene, grid.source);
+          if (max > 0) {
+            entry = brick_store(brick, constants, scene, grid.source);
+            occupied.add(brick, b * BRICK_CELLS, pad);
+          }
         }
         scene.bricks.push_back(entry);
         scene.brick_ranges.insert(scene.brick_ranges.end(), {min, max});
       }
+  if (occupied.hi.x < 0) return;
+  medium.lo = packed(glm::max(dvec3(lo), dvec3(occupied.lo)));
+  medium.hi = packed(glm::min(dvec3(cells) - lo, dvec3(occupied.hi)));
 }
 
 }  // namespace brume

@@ -113,15 +113,17 @@ double longest_side(const LoadedMedium& m) {
   return longest;
 }
 
-// One point per `spacing` along each side, the longest side in render.light_grid parts.
+// One point per `spacing` along each side of what is occupied, the longest side in render.light_grid parts.
 void light_grid_size(const SceneDesc& desc, const LoadedMedium& loaded, Medium& medium, FlatScene& scene) {
-  const dvec3 size = medium_size(loaded) + 2 * medium_reach(loaded);
-  const double spacing = longest_side(loaded) / desc.render.light_grid;
+  // a step of the lattice is a step in cell space
+  const dvec3 size(medium.hi.x - medium.lo.x, medium.hi.y - medium.lo.y, medium.hi.z - medium.lo.z);
+  const dvec3 sides(glm::length(dvec3(loaded.world_from_lattice[0])) * size.x,
+                    glm::length(dvec3(loaded.world_from_lattice[1])) * size.y,
+                    glm::length(dvec3(loaded.world_from_lattice[2])) * size.z);
+  const double spacing = std::max({sides.x, sides.y, sides.z}) / desc.render.light_grid;
   int* const points[] = {&medium.light_nx, &medium.light_ny, &medium.light_nz};
-  for (int axis = 0; axis < 3; ++axis) {
-    const double side = glm::length(dvec3(loaded.world_from_lattice[axis])) * size[axis];
-    *points[axis] = 1 + std::max(1, static_cast<int>(std::ceil(side / spacing - 1e-6)));
-  }
+  for (int axis = 0; axis < 3; ++axis)
+    *points[axis] = 1 + std::max(1, static_cast<int>(std::ceil(sides[axis] / spacing - 1e-6)));
   medium.light_offset = static_cast<int>(scene.light_entries);
   scene.light_entries +=
       static_cast<std::int64_t>(desc.lights.size()) * medium.light_nx * medium.light_ny * medium.light_nz;

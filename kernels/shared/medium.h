@@ -25,7 +25,7 @@ enum MediumRegion { REGION_BOX, REGION_SPHERE };  // sphere: the ellipsoid inscr
 typedef struct {
   Affine cell_from_world;
   Affine world_from_cell;
-  Packed3 lo;  // the medium fills [lo, hi] in cell space
+  Packed3 lo;  // the medium fills [lo, hi] in cell space; outside its density is 0
   int brick_offset;
   Packed3 hi;
   int interpolation;

@@ -26,6 +26,10 @@ openvdb::FloatGrid::Ptr vdb_of(const Grid& grid) {
   grid_visit_stored(grid, [&](ivec3 i, float value) {
     if (value != 0.0f) accessor.setValueOn(openvdb::Coord(i.x, i.y, i.z), value);
   });
+  // the outermost corners, whatever they hold: a reader then finds the same bounds
+  const ivec3 last = grid.size() - 1;
+  accessor.setActiveState(openvdb::Coord(0, 0, 0), true);
+  accessor.setActiveState(openvdb::Coord(last.x, last.y, last.z), true);
   vdb->tree().prune();  // blocks of one value become tiles
   vdb->setName(grid.name.empty() ? "density" : grid.name);
   vdb->setGridClass(openvdb::GRID_FOG_VOLUME);

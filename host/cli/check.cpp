@@ -1,5 +1,6 @@
 // brume check: kernels against the scalar reference on one device, as a table; exit 1 on a miss.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -7,6 +8,7 @@
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "check/check.hpp"
+#include "check/stability.hpp"
 #include "cli/command.hpp"
 
 namespace brume {
@@ -18,6 +20,7 @@ struct CheckArguments {
   std::filesystem::path json;
   std::vector<int> lanes;
   CheckOptions options;
+  bool stability = false;
 };
 
 void print_row(const CheckRow& row) {
@@ -66,6 +69,37 @@ int check_command(CheckArguments arguments) {
   return missed > 0 ? 1 : 0;
 }
 
+void print_stability(const StabilityRow& row) {
+  std::printf("%-4s %-16s %-22s %5d  %s\n", row.holds ? "ok" : "FAIL", row.name.c_str(), row.method.c_str(), row.lanes,
+              row.remark.c_str());
+  std::fflush(stdout);
+}
+
+nlohmann::ordered_json stability_json(const DeviceInfo& device, const std::vector<StabilityRow>& rows) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const StabilityRow& r : rows)
+    list.push_back(
+        {{"case", r.name}, {"method", r.method}, {"lanes", r.lanes}, {"holds", r.holds}, {"remark", r.remark}});
+  return {{"device", device.title()}, {"version", device.version}, {"driver", device.driver}, {"rows", list}};
+}
+
+int stability_command(const CheckArguments& arguments) {
+  const DeviceInfo device = device_choose(arguments.device);
+  Context context(device);
+  std::printf("%s, %s, driver %s\n\n", device.title().c_str(), device.version.c_str(), device.driver.c_str());
+  for (const StabilityCase& c : stability_cases()) std::printf("%-16s %s\n", c.name, c.what);
+  std::printf("\n     %-16s %-22s lanes\n", "case", "method");
+  StabilityOptions options;
+  options.filter = arguments.options.filter;
+  if (!arguments.lanes.empty()) options.lanes = arguments.lanes;
+  const std::vector<StabilityRow> rows = check_stability(context, options, print_stability);
+  if (rows.empty()) throw InputError("--filter: no case matches '" + options.filter + "'");
+  const auto failed = std::count_if(rows.begin(), rows.end(), [](const StabilityRow& r) { return !r.holds; });
+  std::printf("%zu rows, %td failed\n", rows.size(), failed);
+  if (!arguments.json.empty()) atomic_write(arguments.json, stability_json(device, rows).dump(2) + "\n");
+  return failed > 0 ? 1 : 0;
+}
+
 }  // namespace
 
 void command_check(CLI::App& app, Command& run) {
@@ -77,8 +111,12 @@ void command_check(CLI::App& app, Command& run) {
       ->delimiter(',');
   command->add_option("--size", arguments->options.size, "Pixels per side of the pictures")->check(CLI::Range(4, 1024));
   command->add_option("--filter", arguments->options.filter, "Only checks whose name contains this");
+  command->add_flag("--stability", arguments->stability,
+                    "Instead: every method on cases that are known to break volume renderers");
   command->add_option("--json", arguments->json, "Write the table as JSON");
-  command->callback([arguments, &run] { run = [arguments] { return check_command(*arguments); }; });
+  command->callback([arguments, &run] {
+    run = [arguments] { return arguments->stability ? stability_command(*arguments) : check_command(*arguments); };
+  });
 }
 
 }  // namespace brume

@@ -84,6 +84,8 @@ CollisionWorth collide(const CollisionD& collision, const dvec3& sigma_t, const 
   const double strongest = std::max({p.x, p.y, p.z});
   if (method != METHOD_DELTA_TRACKING || !(strongest > 0)) {
     transmittance *= 1.0 - p;
+    const double asked = TRACK_LIGHTS * std::max({sigma_t.x, sigma_t.y, sigma_t.z}) * worth.weight;
+    if (asked > 0 && asked < 1) worth.weight = random.at(collision.id, RANDOM_REAL) < asked ? worth.weight / asked : 0;
     return worth;
   }
   if (random.at(collision.id, RANDOM_REAL) < strongest) {

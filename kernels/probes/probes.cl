@@ -132,6 +132,16 @@ PROBE(probe_integral) {
   out[item] = walk_total(&scene, &medium, &ray, random_begin(frame, item, 0), INFINITY, &lookups);
 }
 
+// in: origin, direction, t_max. out: radiance and transmittance of all media
+PROBE(probe_scatter) {
+  PROBE_ITEM;
+  __global const float* v = in + 7 * item;
+  const MediumResult result =
+      media_scatter(&scene, probe_load3(v), probe_load3(v + 3), v[6], random_begin(frame, item, 0));
+  probe_store3(vec_unpack(result.radiance), out + 6 * item);
+  probe_store3(vec_unpack(result.transmittance), out + 6 * item + 3);
+}
+
 // out: size of each shared struct as this device lays it out
 PROBE(probe_layout) {
   PROBE_ITEM;

@@ -73,6 +73,9 @@ static inline Collision track_collide(const Medium* medium, const Random* walk, 
     hit.weight = 0.0f;
     *tau += log1p(-strongest) - log1p(-p);
   } else {
+    const float asked = TRACK_LIGHTS * tau_max(sigma_t) * integral;
+    if (asked > 0.0f && asked < 1.0f)
+      hit.weight = random_at(walk, at->id[i], RANDOM_REAL) < asked ? integral / asked : 0.0f;
     *tau -= log1p(-p);
   }
   *tau = fmin(*tau, (tau_t)(TAU_BLACK));

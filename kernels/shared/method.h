@@ -13,6 +13,10 @@
 #define DRAWS_PLACES 1      // where in each step to sample
 #define DRAWS_COLLISIONS 2  // where to collide: right in the mean for any density
 
+// Ratio and residual ratio tracking ask for light at a tentative collision with TRACK_LIGHTS times the probability that it is real
+// (at most 1): a brick with one hot voxel has a million collisions that hardly scatter.
+#define TRACK_LIGHTS 4.0f
+
 // ROW(ID, name, fits, has a step, draws, help)
 #define BRUME_METHODS(ROW)                                                                                      \
   ROW(DDA_NEAREST, "dda_nearest", FITS_NEAREST, 0, DRAWS_NOTHING, "voxel by voxel; exact for nearest")          \

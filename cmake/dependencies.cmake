@@ -3,6 +3,7 @@
 find_package(glm REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
+find_package(Imath REQUIRED)
 find_package(tinyobjloader REQUIRED)
 find_package(OpenCL REQUIRED)
 find_package(OpenCLHeaders REQUIRED)

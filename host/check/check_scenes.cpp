@@ -133,6 +133,22 @@ constexpr SceneText SCENES[] = {
   "lights": [{"type": "directional", "direction": [0.5, -1, -0.3], "irradiance": [1, 1, 1]}],
   "media": [{"density": {"type": "linear", "resolution": [8, 8, 8]}, "sigma_a": [0.7, 0.6, 0.5], "sigma_s": 2}],
   "render": {"method": "march_midpoint", "step": 0.03, "in_scattering": "rectangle"}})"},
+    {"fog_f16", R"({
+  "camera": {"eye": [1.1, 0.9, 2.9], "target": [0, 0, 0], "vfov": 40}, "background": [0.1, 0.1, 0.1],
+  "lights": [{"type": "directional", "direction": [0.5, -1, -0.3], "irradiance": [1, 1, 1]}],
+  "media": [{"density": {"type": "perlin", "resolution": [19, 18, 17], "scale": 3}, "sigma_a": 0.6, "sigma_s": 2}],
+  "render": {"storage": "f16"}})"},
+    {"fog_u8", R"({
+  "camera": {"eye": [1.1, 0.9, 2.9], "target": [0, 0, 0], "vfov": 40}, "background": [0.1, 0.1, 0.1],
+  "lights": [{"type": "directional", "direction": [0.5, -1, -0.3], "irradiance": [1, 1, 1]}],
+  "media": [{"density": {"type": "perlin", "resolution": [19, 18, 17], "scale": 3}, "sigma_a": 0.6, "sigma_s": 2},
+            {"bounds": [[-0.4, -0.2, -0.4], [0.4, 1.1, 0.4]], "density": {"type": "linear", "resolution": [11, 11, 11]}, "sigma_a": 0.6}],
+  "render": {"storage": "u8", "method": "dda_midpoint"}})"},
+    {"fog_u8_march", R"({
+  "camera": {"eye": [1.1, 0.9, 2.9], "target": [0, 0, 0], "vfov": 40}, "background": [0.1, 0.1, 0.1],
+  "lights": [{"type": "directional", "direction": [0.5, -1, -0.3], "irradiance": [1, 1, 1]}],
+  "media": [{"density": {"type": "sphere", "of": {"type": "perlin", "resolution": [29, 28, 27], "scale": 3}}, "sigma_a": 0.6, "sigma_s": 2}],
+  "render": {"storage": "u8", "method": "march_midpoint", "shadow": "grid", "light_grid": 16}})"},
     {"fog_jitter", R"({
   "camera": {"eye": [1.8, 0.8, 2.9], "target": [0, 0, 0], "vfov": 42}, "film": {"spp": 2}, "background": [0.2, 0.3, 0.5],
   "lights": [{"type": "point", "position": [0.4, 0.6, 0.5], "intensity": [2, 1.5, 1]},

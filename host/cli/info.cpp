@@ -107,11 +107,14 @@ Json info_scene(const Path& file) {
           {"triangles", flat.triangles.size()},
           {"media", media},
           {"bytes",
-           {{"voxels", flat.voxels.size() * sizeof(float)},
+           {{"voxels", flat.packed.empty() ? flat.voxels.size() * sizeof(float) : flat.packed.size()},
+            {"brick_ranges", flat.brick_ranges.size() * sizeof(float)},
             {"brick_index", flat.bricks.size() * sizeof(std::int32_t)},
             {"textures", flat.texels.size() * sizeof(float)},
             {"triangles", flat.triangles.size() * sizeof(Triangle)},
             {"bvh", (flat.bvh_nodes.size() + flat.bvh_blocks.size()) * sizeof(float)}}},
+          {"storage", family_name(storage_family(), flat.storage)},
+          {"storage_error", flat.storage_error},
           {"notes", flat.notes}};
 }
 

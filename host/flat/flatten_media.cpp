@@ -215,6 +215,7 @@ void medium_bounds_add(const LoadedMedium& m, Bounds& bounds) {
 
 void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media, FlatScene& scene) {
   for (const LoadedMedium& m : media) scene.media.push_back(medium_flatten(desc, m, scene));
+  voxels_pack(scene, desc.render.storage);
   const auto grey = [](const Medium& m) {
     const float x = m.sigma_a.x + m.sigma_s.x, y = m.sigma_a.y + m.sigma_s.y, z = m.sigma_a.z + m.sigma_s.z;
     return x == y && y == z;

@@ -44,6 +44,10 @@ void flatten_materials(const SceneDesc& desc, LoadedShapes& shapes, FlatScene& s
 void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene);
 void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media, FlatScene& scene);
 
+// Rounds all voxels and ranges to what `storage` holds and fills `packed` and `storage_error`. Throws InputError where densities
+// exceed it.
+void voxels_pack(FlatScene& scene, int storage);
+
 // Appends the bricks of a grid: entries, ranges and samples (layout: shared/medium.h); fills in the medium's geometry.
 void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene);
 

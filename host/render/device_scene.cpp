@@ -19,7 +19,7 @@ DeviceScene::DeviceScene(Context& context, const FlatScene& s, int tau_channels)
       context.buffer("media", s.media),
       context.buffer("brick index", s.bricks),
       context.buffer("brick ranges", s.brick_ranges),
-      context.buffer("voxels", s.voxels),
+      s.packed.empty() ? context.buffer("voxels", s.voxels) : context.buffer("voxels", s.packed),
       context.buffer("light grid", static_cast<std::size_t>(s.light_entries * tau_channels) * sizeof(float)),
   };
 }

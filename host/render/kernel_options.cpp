@@ -45,8 +45,9 @@ bool scene_is_specular(const FlatScene& scene) {
 
 std::string kernel_options(const FlatScene& scene, const DeviceInfo& device, int lanes, bool generic) {
   return define("LANES", static_cast<unsigned>(lanes)) + define("BVH_WIDTH", static_cast<unsigned>(scene.bvh_width)) +
-         define("FAST_FMA", device.fast_fma) + define("MAX_DEPTH", static_cast<unsigned>(scene.frame.max_depth)) +
-         (generic ? "" : scene_options(scene));
+         define("FAST_FMA", device.fast_fma) +
+         define("STORAGE", static_cast<unsigned>(scene.packed.empty() ? STORAGE_F32 : scene.storage)) +
+         define("MAX_DEPTH", static_cast<unsigned>(scene.frame.max_depth)) + (generic ? "" : scene_options(scene));
 }
 
 }  // namespace brume

@@ -52,7 +52,7 @@ Renderer::Renderer(Context& context, const FlatScene& scene, const RenderOptions
   s.stats.kernel_build_s = s.passes->build_seconds();
   s.stats.upload_s = s.passes->upload_seconds();
   s.stats.device_bytes = context.allocated_bytes();
-  s.stats.voxel_bytes = scene.voxels.size() * sizeof(float);
+  s.stats.voxel_bytes = scene.packed.empty() ? scene.voxels.size() * sizeof(float) : scene.packed.size();
   s.stats.bvh_bytes = (scene.bvh_nodes.size() + scene.bvh_blocks.size()) * sizeof(float) +
                       (scene.bvh_links.size() + scene.bvh_ids.size()) * sizeof(std::int32_t);
 }

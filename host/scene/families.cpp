@@ -39,6 +39,9 @@ FAMILY(in_scattering_family, IN_SCATTERING, BRUME_IN_SCATTERINGS)
 #define ROW(id, name, help) {SHADOW_##id, name, help},
 FAMILY(shadow_family, SHADOW, BRUME_SHADOWS)
 #undef ROW
+#define ROW(id, name, help) {STORAGE_##id, name, help},
+FAMILY(storage_family, STORAGE, BRUME_STORAGES)
+#undef ROW
 #define ROW(id, name, fits, step, draws, help) {METHOD_##id, name, help},
 FAMILY(method_family, METHOD, BRUME_METHODS)
 #undef ROW

@@ -13,6 +13,7 @@ const Family& phase_family();
 const Family& interpolation_family();
 const Family& in_scattering_family();
 const Family& shadow_family();  // without "auto"
+const Family& storage_family();
 const Family& method_family();  // without "auto"
 const Family& shape_family();   // analytic shapes, triangle and mesh
 const Family& mesh_shading_family();

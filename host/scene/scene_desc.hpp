@@ -141,6 +141,7 @@ struct RenderDesc {
   double step = 0.05;  // share of the medium's longest side
   int in_scattering = IN_SCATTERING_SEGMENT;
   int shadow = SHADOW_AUTO;
+  int storage = STORAGE_F32;
   int light_grid = 64;  // shadow grid: cells of the light grid along the medium's longest side
   double roulette = 0;  // transmittance below which view rays end at random; 0: never
   int max_depth = 5;

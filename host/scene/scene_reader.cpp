@@ -85,6 +85,7 @@ RenderDesc read_render(const JsonValue& scene) {
   shadows.insert(shadows.begin(), {SHADOW_AUTO, "auto", "trace, which is exact"});
   r.in_scattering = render.member("in_scattering", r.in_scattering, in_scattering_family(), "in-scattering rule");
   r.shadow = render.member("shadow", r.shadow, shadows, "shadow mode");
+  r.storage = render.member("storage", r.storage, storage_family(), "storage");
   r.light_grid = render.integer("light_grid", r.light_grid, 1, LIGHT_GRID_MAX);
   r.roulette = render.number("roulette", r.roulette, Range::closed(0, 1));
   r.max_depth = render.integer("max_depth", r.max_depth, 0, 64);

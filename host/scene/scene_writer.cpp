@@ -137,6 +137,7 @@ Json render_json(const RenderDesc& r) {
           {"in_scattering", family_name(in_scattering_family(), r.in_scattering)},
           {"shadow", r.shadow == SHADOW_AUTO ? "auto" : family_name(shadow_family(), r.shadow)},
           {"light_grid", r.light_grid},
+          {"storage", family_name(storage_family(), r.storage)},
           {"roulette", r.roulette},
           {"max_depth", r.max_depth},
           {"seed", r.seed}};

@@ -20,7 +20,10 @@ typedef struct {
   float end;        // end of the ray inside the medium
   float brick_end;  // end of the current stored brick; <= s: find the next one
   int base;         // of the current brick, see Segments
-  int begun;        // the brick of the entry has been tested
+#if BRUME_STORAGE == 2
+  float zero, part;  // of the current brick, see Segments
+#endif
+  int begun;  // the brick of the entry has been tested
 } Dda;
 
 static inline float axis_crossing(const DdaAxis* a, float plane) { return (plane - a->origin) * a->inv_dir; }
@@ -96,17 +99,31 @@ static inline int dda_brick_index(const Medium* medium, const Dda* d) {
   return medium->brick_offset + (z * medium->brick_ny + y) * medium->brick_nx + x;
 }
 
+// What segment i of a walk takes from the brick in which the walk stands.
+static inline void dda_brick_store(const Dda* d, int i, Segments* out) {
+  out->base[i] = d->base;
+#if BRUME_STORAGE == 2
+  out->zero[i] = d->zero;
+  out->part[i] = d->part;
+#endif
+}
+
 // Skips to the next brick that is stored and crossed over a positive length: afterwards the ray is in it from s to
 // brick_end. 0 when there is none; s is then at the end.
-static inline int dda_next_brick(const Medium* medium, __global const int* bricks, Dda* d) {
+static inline int dda_next_brick(const Scene* scene, const Medium* medium, Dda* d) {
   int inside = !d->begun || dda_step_brick(medium, d);
   d->begun = 1;
   for (; inside && d->s < d->end; inside = dda_step_brick(medium, d)) {
     const float exit = fmin(dda_brick_exit(d), d->end);
-    const int entry = bricks[dda_brick_index(medium, d)];
+    const int entry = scene->bricks[dda_brick_index(medium, d)];
     if (entry != BRICK_EMPTY && exit > d->s) {
       d->brick_end = exit;
       d->base = entry * BRICK_VALUES - BRICK_CELLS * brick_stride((int)d->x.brick, (int)d->y.brick, (int)d->z.brick);
+#if BRUME_STORAGE == 2
+      const float2 range = vload2(dda_brick_index(medium, d), scene->ranges);
+      d->zero = range.x;
+      d->part = (range.y - range.x) / 255.0f;
+#endif
       return 1;
     }
     d->s = fmax(d->s, exit);

@@ -52,6 +52,9 @@ typedef struct {
   float size[W];   // world length; 0 beyond count
   int base[W];     // of the brick: the sample of cell (x, y, z) is at base + brick_stride(x, y, z)
   float x[W], y[W], z[W];
+#if BRUME_STORAGE == 2
+  float zero[W], part[W];  // of the brick: density = zero + part * what is stored
+#endif
 #if BRUME_RANDOM
   uint id[W];  // number of the segment along the ray: names its random numbers
 #endif
@@ -75,6 +78,9 @@ static inline void segments_pad(Segments* out) {
     out->x[i] = 0.0f;
     out->y[i] = 0.0f;
     out->z[i] = 0.0f;
+#if BRUME_STORAGE == 2
+    out->zero[i] = out->part[i] = 0.0f;
+#endif
 #if BRUME_RANDOM
     out->id[i] = 0;
 #endif
@@ -110,20 +116,29 @@ static inline Lookup lookup_at(const MediumRay* ray, const Segments* at, floatW 
   return l;
 }
 
-static inline floatW density_nearest(__global const float* voxels, const MediumRay* ray, const Segments* at, floatW s,
+// Blending is linear: it may come before the brick's own scale.
+static inline floatW density_of(const Segments* at, floatW stored) {
+#if BRUME_STORAGE == 2
+  return mad_exact(stored, lanes_load(at->part), lanes_load(at->zero));
+#else
+  return stored;
+#endif
+}
+
+static inline floatW density_nearest(__global const voxel_t* voxels, const MediumRay* ray, const Segments* at, floatW s,
                                      int reach) {
   const Lookup l = lookup_at(ray, at, s, reach);
   floatW here, next;
-  lanes_gather2(voxels, l.sample, &here, &next);
-  return here;
+  voxels_gather2(voxels, l.sample, &here, &next);
+  return density_of(at, here);
 }
 
-static inline floatW density_trilinear(__global const float* voxels, const MediumRay* ray, const Segments* at, floatW s,
-                                       int reach) {
+static inline floatW density_trilinear(__global const voxel_t* voxels, const MediumRay* ray, const Segments* at,
+                                       floatW s, int reach) {
   const Lookup l = lookup_at(ray, at, s, reach);
   floatW a, b;
-#define ALONG_X(out, offset)                          \
-  lanes_gather2(voxels, l.sample + (offset), &a, &b); \
+#define ALONG_X(out, offset)                           \
+  voxels_gather2(voxels, l.sample + (offset), &a, &b); \
   const floatW out = mad_exact(l.fx, b - a, a)
   ALONG_X(v00, 0);
   ALONG_X(v10, brick_stride(0, 1, 0));
@@ -132,7 +147,7 @@ static inline floatW density_trilinear(__global const float* voxels, const Mediu
 #undef ALONG_X
   const floatW v0 = mad_exact(l.fy, v10 - v00, v00);
   const floatW v1 = mad_exact(l.fy, v11 - v01, v01);
-  return mad_exact(l.fz, v1 - v0, v0);
+  return density_of(at, mad_exact(l.fz, v1 - v0, v0));
 }
 
 #endif

@@ -20,6 +20,9 @@
 #ifndef BRUME_MEDIA  // 0: no medium code; 1: exactly one medium; 2: any number
 #define BRUME_MEDIA 2
 #endif
+#ifndef BRUME_STORAGE  // 0: voxels are floats; 1: halfs; 2: bytes between the bounds of their brick
+#define BRUME_STORAGE 0
+#endif
 #ifndef BRUME_COLOR_TAU  // 0: sigma_t is grey in every medium, one optical depth serves three channels
 #define BRUME_COLOR_TAU 1
 #endif

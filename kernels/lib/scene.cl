@@ -3,6 +3,7 @@
 #ifndef BRUME_LIB_SCENE_CL
 #define BRUME_LIB_SCENE_CL
 #include "lib/vec.cl"
+#include "lib/voxels.cl"
 #include "shared/bvh.h"
 #include "shared/frame.h"
 #include "shared/light.h"
@@ -26,7 +27,7 @@ typedef struct {
   __global const Medium* media;
   __global const int* bricks;
   __global const float* ranges;
-  __global const float* voxels;
+  __global const voxel_t* voxels;
   __global const float* light_tau;
 } Scene;
 
@@ -35,7 +36,7 @@ typedef struct {
       __global const Texture *textures, __global const float *texels, __global const Shape *shapes,       \
       __global const Triangle *triangles, __global const float *bvh_nodes, __global const int *bvh_links, \
       __global const float *bvh_blocks, __global const int *bvh_ids, __global const Medium *media,        \
-      __global const int *bricks, __global const float *ranges, __global const float *voxels,             \
+      __global const int *bricks, __global const float *ranges, __global const voxel_t *voxels,           \
       __global const float *light_tau
 
 #define SCENE_PACK                                                                                                   \

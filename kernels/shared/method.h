@@ -54,7 +54,19 @@
   ROW(NEAREST, "nearest", "constant per voxel") \
   ROW(TRILINEAR, "trilinear", "blends the eight nearest samples")
 
+// How a voxel lies in memory.
+#define BRUME_STORAGES(ROW)                                              \
+  ROW(F32, "f32", "4 bytes, as given")                                   \
+  ROW(F16, "f16", "2 bytes, half precision: off by at most 2^-11 of it") \
+  ROW(U8, "u8", "1 byte, 255 parts of its brick's range: off by at most 1/510 of that")
+
 BRUME_SHARED_BEGIN
+enum Storage {
+#define ROW(id, name, help) STORAGE_##id,
+  BRUME_STORAGES(ROW)
+#undef ROW
+      STORAGE_COUNT
+};
 enum Method {
 #define ROW(id, name, fits, step, draws, help) METHOD_##id,
   BRUME_METHODS(ROW)

@@ -3,7 +3,7 @@
 #define BRUME_TRANSMITTANCE_MARCH_CL
 #include "transmittance/steps.cl"
 
-static inline floatW march_integral(const Medium* medium, __global const float* voxels, const MediumRay* ray,
+static inline floatW march_integral(const Medium* medium, __global const voxel_t* voxels, const MediumRay* ray,
                                     const Segments* at) {
   const floatW place = lanes_load(at->place);
   const floatW density = medium->interpolation == INTERPOLATION_NEAREST

@@ -37,7 +37,7 @@ static inline float steps_place(const Steps* s) {
   return ((float)s->next + share) * s->size;
 }
 
-static inline void steps_fill(const Medium* medium, __global const int* bricks, Dda* d, Steps* s, Segments* out) {
+static inline void steps_fill(const Scene* scene, const Medium* medium, Dda* d, Steps* s, Segments* out) {
   out->count = 0;
   while (out->count < W && s->next < s->count) {
     const float place = steps_place(s);
@@ -47,7 +47,7 @@ static inline void steps_fill(const Medium* medium, __global const int* bricks, 
       const int i = out->count++;
       out->place[i] = place;
       out->size[i] = s->size;
-      out->base[i] = d->base;
+      dda_brick_store(d, i, out);
       out->x[i] = d->x.brick * BRICK_CELLS;
       out->y[i] = d->y.brick * BRICK_CELLS;
       out->z[i] = d->z.brick * BRICK_CELLS;
@@ -57,7 +57,7 @@ static inline void steps_fill(const Medium* medium, __global const int* bricks, 
       ++s->next;
     } else {
       d->s = d->brick_end;
-      if (!dda_next_brick(medium, bricks, d)) {
+      if (!dda_next_brick(scene, medium, d)) {
         s->next = s->count;
       } else {
         s->next = max(s->next, (int)(d->s / s->size) - 1);  // the step in which the brick begins, or the one before

@@ -38,7 +38,7 @@ static inline Track track_begin(const Medium* medium, Random random, int residua
 static inline void track_emit(const Dda* d, Track* t, float size, float low, int i, Segments* out) {
   out->place[i] = d->s;
   out->size[i] = size;
-  out->base[i] = d->base;
+  dda_brick_store(d, i, out);
   out->x[i] = d->x.brick * BRICK_CELLS;
   out->y[i] = d->y.brick * BRICK_CELLS;
   out->z[i] = d->z.brick * BRICK_CELLS;
@@ -51,7 +51,7 @@ static inline void track_emit(const Dda* d, Track* t, float size, float low, int
 static inline void track_fill(const Scene* scene, const Medium* medium, Dda* d, Track* t, Segments* out) {
   int n = 0;
   while (n < W) {
-    if (!(d->s < d->brick_end) && !dda_next_brick(medium, scene->bricks, d)) {
+    if (!(d->s < d->brick_end) && !dda_next_brick(scene, medium, d)) {
       if (t->trailing) track_emit(d, t, 0.0f, 0.0f, n++, out);
       t->trailing = 0;
       break;

@@ -54,13 +54,13 @@ static inline void walk_next(const Scene* scene, const Medium* medium, const Med
   if (METHOD_IS(medium, HOMOGENEOUS)) {
     homogeneous_fill(&w->steps, out);
   } else if (METHOD_MARCHES(medium)) {
-    steps_fill(medium, scene->bricks, &w->dda, &w->steps, out);
+    steps_fill(scene, medium, &w->dda, &w->steps, out);
 #if BRUME_TRACKING
   } else if (METHOD_TRACKS(medium)) {
     track_fill(scene, medium, &w->dda, &w->track, out);
 #endif
   } else {
-    cells_fill(medium, scene->bricks, ray, &w->dda, out);
+    cells_fill(scene, medium, ray, &w->dda, out);
   }
   segments_pad(out);
 }

@@ -81,6 +81,22 @@ void peer_benchmark(::benchmark::State& state, const Workload& work, const std::
   state.counters["process_s"] = run->process_s;
 }
 
+void process_benchmark(::benchmark::State& state, const SceneDesc& desc, const std::filesystem::path& folder) {
+  brume_process_seconds(desc, folder);  // fills the kernel cache
+  for (auto unused : state) {
+    (void)unused;
+    const std::optional<double> seconds = brume_process_seconds(desc, folder);
+    if (!seconds) return state.SkipWithError("brume did not run");
+    state.SetIterationTime(*seconds);
+  }
+}
+
+const Setting& setting_of(const std::string& name) {
+  for (const Setting& s : settings())
+    if (s.name == name) return s;
+  throw RuntimeError("no setting " + name);
+}
+
 void register_all(const DeviceInfo& device, const std::vector<Workload>& all, const BenchArguments& arguments,
                   const std::filesystem::path& folder) {
   const auto manual = [&](::benchmark::internal::Benchmark* b, bool slow = false) {
@@ -93,6 +109,11 @@ void register_all(const DeviceInfo& device, const std::vector<Workload>& all, co
       manual(::benchmark::RegisterBenchmark(
           ("peer/" + work.name + "/vdb_render").c_str(),
           [&work, folder](::benchmark::State& state) { peer_benchmark(state, work, folder); }));
+    for (const char* name : {"march_midpoint_2/grid64", "march_midpoint_4/grid32"})
+      manual(::benchmark::RegisterBenchmark(("process/" + work.name + "/" + name).c_str(),
+                                            [&work, name, folder](::benchmark::State& state) {
+                                              process_benchmark(state, scene_of(work, setting_of(name)), folder);
+                                            }));
     for (const Setting& setting : settings())
       manual(::benchmark::RegisterBenchmark(("render/" + work.name + "/" + setting.name).c_str(),
                                             [&device, &work, &setting](::benchmark::State& state) {

@@ -13,10 +13,11 @@ struct Setting {
   std::string name;  // permanent: results of years are compared by it
   int method;
   double step_voxels;  // of marchers; 0 for the others
-  int shadow, light_grid;
+  int shadow, light_grid = 64, storage = STORAGE_F32;
 };
 const std::vector<Setting>& settings();
 
+SceneDesc scene_of(const Workload& work, const Setting& setting);
 FlatScene flat_scene(const Workload& work, const Setting& setting, int lanes);
 Image picture(const Film& film);
 

@@ -8,7 +8,9 @@
 #include <glm/geometric.hpp>
 #include <sstream>
 
+#include "base/atomic_file.hpp"
 #include "base/stopwatch.hpp"
+#include "scene/scene_writer.hpp"
 
 namespace brume::bench {
 
@@ -58,6 +60,17 @@ std::optional<PeerRun> vdb_render_run(const Workload& work, const std::filesyste
   const std::string command = vdb_render_command(work, picture, converged) + " >" + quoted(log) + " 2>&1";
   if (std::system(command.c_str()) != 0 || !std::filesystem::exists(picture)) return std::nullopt;
   return PeerRun{seconds_in_log(log), watch.seconds(), picture};
+}
+
+std::optional<double> brume_process_seconds(const SceneDesc& desc, const std::filesystem::path& folder) {
+  const std::filesystem::path scene = folder / "process.json",
+                              program = std::filesystem::read_symlink("/proc/self/exe");
+  atomic_write(scene, scene_write(desc, folder));
+  const Stopwatch watch;
+  const std::string command = quoted(program) + " render " + quoted(scene) + " --quiet -o " +
+                              quoted(folder / "process.exr") + " >/dev/null 2>&1";
+  if (std::system(command.c_str()) != 0) return std::nullopt;
+  return watch.seconds();
 }
 
 }  // namespace brume::bench

@@ -17,4 +17,8 @@ struct PeerRun {
 // `converged` steps and cutoff so fine that only its model is left. Nothing where it is not installed.
 std::optional<PeerRun> vdb_render_run(const Workload& work, const std::filesystem::path& folder, bool converged);
 
+// This program as another process on a scene file that is written to `folder`, kernels cached by an earlier run: seconds from its start
+// to its end, the picture written. Nothing when it fails.
+std::optional<double> brume_process_seconds(const SceneDesc& desc, const std::filesystem::path& folder);
+
 }  // namespace brume::bench

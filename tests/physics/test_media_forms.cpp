@@ -58,5 +58,39 @@ TEST(MediaForms, ForwardLobeOfHenyeyGreenstein) {
       "scatter_front.json", [&](auto&&...) { return 0.75 * back * 8 * (1 - std::exp(-4.0)) / 2; }, {phase}, 8);
 }
 
+TEST(MediaForms, GlowingSlabByEveryMethodThatFits) {
+  const ClosedForm form = [](auto&&...) { return (1 - std::exp(-1.5)) / 0.75; };
+  for (const char* method : {"dda_gauss2", "dda_midpoint", "march_regular", "march_midpoint", "march_regular_jitter",
+                             "march_midpoint_jitter", "homogeneous"})
+    expect_closed_form("glow.json", form, {std::string("/render/method=") + method});
+  expect_closed_form("glow.json", form, {"/render/method=dda_nearest", "/media/0/interpolation=nearest"});
+  expect_closed_form("glow.json", [](auto&&...) { return 2.0; }, {"/media/0/sigma_a=0"});
+  expect_closed_form("glow.json", [](auto&&...) { return (1 - std::exp(-1.5)) / 0.75; },
+                     {R"(/media/0/density={"type":"constant","value":0.5,"resolution":[8,8,8]})",
+                      "/media/0/sigma_a=1.5", "/media/0/emission=2"});
+}
+
+TEST(MediaForms, GlowByADensityOfItsOwn) {
+  const double s = 0.75;
+  const auto glow = [](const reference::RayD& ray) { return 1 - (ray.origin.y + 1) / 2; };
+  double cells = 0, z = 0;
+  for (const double d : {0.125, 0.25, 0.25, 0.25, 0.25, 0.25, 0.25, 0.25, 0.125}) {
+    cells += d * std::exp(-s * (z + d / 2));
+    z += d;
+  }
+  expect_closed_form("glow_own.json", [&](const FlatScene&, const reference::RayD& ray) { return glow(ray) * cells; },
+                     {"/render/method=dda_gauss2"});
+  const double d = 2.0 / 400, whole = (1 - std::exp(-2 * s)) / s;
+  expect_closed_form("glow_own.json",
+                     [&](const FlatScene&, const reference::RayD& ray) {
+                       return glow(ray) * whole * (s * d / 2) / std::sinh(s * d / 2);
+                     },
+                     {"/render/method=march_midpoint", "/render/step=0.0025"});
+  const FlatScene scene = scene_flat("glow_own.json", {"/render/method=dda_gauss2"}, 4);
+  const reference::RayD ray = reference::camera_ray(scene.frame.camera, 1, 0, {0.5, 0.5});
+  expect_relative(reference::ray_render(reference::Context(scene, {8, 1}), ray).radiance.y, glow(ray) * whole,
+                  REFERENCE_LIMIT, "glow_own.json, exact");
+}
+
 }  // namespace
 }  // namespace brume::test

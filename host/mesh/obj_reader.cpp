@@ -1,5 +1,5 @@
-// OBJ and MTL through tinyobjloader, whose release 2.0rc10 lets broken indices pass, drops continued lines and reads "nan" as 0: all
-// three are seen to here.
+// OBJ and MTL through tinyobjloader, of whose release 2.0rc10 two things are not used: its trust in what it reads (obj_text) and
+// its cutting of polygons, which loses parts of those that do not surround the origin (polygon).
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
@@ -10,6 +10,8 @@
 
 #include "base/error.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/obj_text.hpp"
+#include "mesh/polygon.hpp"
 
 namespace brume {
 
@@ -18,46 +20,6 @@ namespace {
 using Path = std::filesystem::path;
 
 [[noreturn]] void fail(const Path& file, const std::string& cause) { throw InputError(file.string() + ": " + cause); }
-
-std::string obj_text(const Path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) fail(file, "is a folder, expected an OBJ file");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) fail(file, "cannot be opened");
-  std::ostringstream out;
-  out << in.rdbuf();
-  std::string text = out.str();
-  if (text.find('\0') != std::string::npos)
-    fail(file, "is not a plain text file (UTF-16 or binary); OBJ files are ASCII or UTF-8");
-  return text;
-}
-
-// "\" at the end of a line continues it; the parser does not know that.
-std::string lines_join(std::string text) {
-  for (std::size_t at = text.find('\\'); at != std::string::npos; at = text.find('\\', at)) {
-    std::size_t end = at + 1;
-    if (end < text.size() && text[end] == '\r') ++end;
-    if (end >= text.size() || text[end] != '\n') {
-      ++at;
-      continue;
-    }
-    text.replace(at, end + 1 - at, " ");
-  }
-  return text;
-}
-
-// Vertices, normals and texture coordinates must be numbers: the parser takes 0 for what is none.
-void numbers_check(const Path& file, const std::string& text) {
-  std::istringstream lines(text);
-  std::string line, word;
-  for (std::size_t number = 1; std::getline(lines, line); ++number) {
-    std::istringstream words(line);
-    if (!(words >> word) || (word != "v" && word != "vn" && word != "vt")) continue;
-    while (words >> word && word[0] != '#')
-      if (word.find_first_not_of("+-.0123456789eE") != std::string::npos)
-        fail(file, "line " + std::to_string(number) + ": '" + word.substr(0, 40) + "' is not a number");
-  }
-}
 
 // Reads MTL files beside the OBJ; a missing one is told, and the mesh goes on in grey.
 class MaterialFiles : public tinyobj::MaterialReader {
@@ -107,42 +69,48 @@ std::vector<glm::dvec3> positions_convert(const Path& file, const std::vector<ti
   return out;
 }
 
-// An index of a corner: in range, or -1 (allowed for normals and texture coordinates, never for positions).
-int index_check(const Path& file, int index, std::size_t count, bool optional, std::size_t face, const char* what) {
-  if (index == -1 && optional) return -1;
-  if (index < 0 || index >= static_cast<int>(count))
-    fail(file, "face " + std::to_string(face + 1) + " names a " + what + " that does not exist; the file has " +
-                   std::to_string(count));
-  return index;
-}
-
 bool has_area(const Mesh& mesh, const MeshTriangle& t) {
   const glm::dvec3 &a = mesh.positions[t.position[0]], &b = mesh.positions[t.position[1]],
                    &c = mesh.positions[t.position[2]];
   return glm::length(glm::cross(b - a, c - a)) > 0;
 }
 
-void triangles_convert(const Path& file, const tinyobj::attrib_t& attrib, const std::vector<tinyobj::shape_t>& shapes,
-                       Mesh& mesh) {
+// The triangles of one face; returns how many have no area and are left out.
+std::size_t face_convert(const tinyobj::index_t* corners, std::size_t count, int material, Mesh& mesh) {
+  std::vector<glm::dvec3> around;
+  for (std::size_t k = 0; k < count; ++k) around.push_back(mesh.positions.at(corners[k].vertex_index));
+  std::size_t dropped = 0;
+  for (const std::array<int, 3>& cut : polygon_triangulate(around)) {
+    MeshTriangle t;
+    for (int k = 0; k < 3; ++k) {
+      const tinyobj::index_t& i = corners[cut[k]];
+      t.position[k] = i.vertex_index;
+      t.normal[k] = i.normal_index >= 0 && mesh.normals.at(i.normal_index) != glm::dvec3(0) ? i.normal_index : -1;
+      t.uv[k] = i.texcoord_index;
+    }
+    t.material = material < static_cast<int>(mesh.materials.size()) ? material : -1;
+    if (has_area(mesh, t)) {
+      mesh.triangles.push_back(t);
+    } else {
+      ++dropped;
+    }
+  }
+  return dropped;
+}
+
+// `corners`: of each face; the parser's own count ends at 255.
+void faces_convert(const Path& file, const std::vector<std::size_t>& corners,
+                   const std::vector<tinyobj::shape_t>& shapes, Mesh& mesh) {
   std::size_t face = 0, dropped = 0;
   for (const tinyobj::shape_t& shape : shapes) {
-    for (std::size_t f = 0; 3 * f + 2 < shape.mesh.indices.size(); ++f, ++face) {
-      MeshTriangle t;
-      for (int k = 0; k < 3; ++k) {
-        const tinyobj::index_t& i = shape.mesh.indices[3 * f + k];
-        t.position[k] = index_check(file, i.vertex_index, mesh.positions.size(), false, face, "vertex");
-        t.normal[k] = index_check(file, i.normal_index, mesh.normals.size(), true, face, "normal");
-        t.uv[k] = index_check(file, i.texcoord_index, attrib.texcoords.size() / 2, true, face, "texture coordinate");
-        if (t.normal[k] >= 0 && mesh.normals[t.normal[k]] == glm::dvec3(0)) t.normal[k] = -1;
-      }
-      const int material = f < shape.mesh.material_ids.size() ? shape.mesh.material_ids[f] : -1;
-      t.material = material < static_cast<int>(mesh.materials.size()) ? material : -1;
-      if (has_area(mesh, t)) {
-        mesh.triangles.push_back(t);
-      } else {
-        ++dropped;
-      }
+    const std::vector<tinyobj::index_t>& indices = shape.mesh.indices;
+    std::size_t at = 0;
+    for (const int material : shape.mesh.material_ids) {
+      if (face == corners.size() || corners[face] > indices.size() - at) break;
+      dropped += face_convert(&indices[at], corners[face], material, mesh);
+      at += corners[face++];
     }
+    if (at != indices.size()) fail(file, "its faces cannot be told apart");
   }
   if (dropped > 0)
     mesh.notes.push_back(file.string() + ": " + std::to_string(dropped) + " triangles without area are left out");
@@ -151,16 +119,15 @@ void triangles_convert(const Path& file, const tinyobj::attrib_t& attrib, const 
 }  // namespace
 
 Mesh mesh_read_obj(const Path& file) {
-  const std::string joined = lines_join(obj_text(file));
-  numbers_check(file, joined);
-  std::istringstream text(joined);
+  const ObjText checked = obj_text_read(file);
+  std::istringstream text(checked.text);
   Mesh mesh;
   tinyobj::attrib_t attrib;
   std::vector<tinyobj::shape_t> shapes;
   std::vector<tinyobj::material_t> materials;
   std::string warning, error;
   MaterialFiles reader(file.parent_path(), mesh.notes);
-  if (!tinyobj::LoadObj(&attrib, &shapes, &materials, &warning, &error, &text, &reader, true))
+  if (!tinyobj::LoadObj(&attrib, &shapes, &materials, &warning, &error, &text, &reader, false))
     fail(file, "not a readable OBJ file: " + error.substr(0, error.find('\n')));
   mesh.positions = positions_convert(file, attrib.vertices, "vertex");
   mesh.normals = positions_convert(file, attrib.normals, "normal");
@@ -172,7 +139,7 @@ Mesh mesh_read_obj(const Path& file) {
       fail(file, "texture coordinate " + std::to_string(i / 2 + 1) + " is not finite");
   }
   for (const tinyobj::material_t& m : materials) mesh.materials.push_back(material_convert(m, file.parent_path()));
-  triangles_convert(file, attrib, shapes, mesh);
+  faces_convert(file, checked.corners, shapes, mesh);
   if (mesh.triangles.empty()) fail(file, "holds no triangle");
   return mesh;
 }

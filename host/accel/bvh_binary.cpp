@@ -26,9 +26,11 @@ struct Box {
       hi[a] = std::max(hi[a], p[a]);
     }
   }
-  void add(const Box& b) {
-    add(b.lo);
-    add(b.hi);
+  void add(const Box& b) {  // not its corners: an empty box has infinite ones
+    for (int a = 0; a < 3; ++a) {
+      lo[a] = std::min(lo[a], b.lo[a]);
+      hi[a] = std::max(hi[a], b.hi[a]);
+    }
   }
   double area() const {
     if (!(lo[0] <= hi[0])) return 0;

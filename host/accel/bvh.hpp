@@ -14,7 +14,7 @@ struct FlatBvh {
 };
 
 // width: children per node and triangles per block, 4, 8 or 16. No triangles: empty arrays. Deterministic.
-// Throws RuntimeError when the tree would not fit the traversal's stack or the 27 bits of a leaf link.
+// Fits the traversal's stack whatever the triangles are. Throws RuntimeError for more blocks than the 27 bits of a leaf link.
 FlatBvh bvh_build(const std::vector<Triangle>& triangles, int width);
 
 // The binary tree under it, exposed for the collapse and for tests.
@@ -29,6 +29,7 @@ struct BinaryBvh {
   std::vector<std::uint32_t> order;  // triangle indices, leaves hold ranges of them
 };
 BinaryBvh bvh_build_binary(const std::vector<Triangle>& triangles, int leaf_size);
+// Throws RuntimeError for a tree so deep that no choice of nodes fits the traversal's stack too.
 FlatBvh bvh_collapse(const BinaryBvh& tree, const std::vector<Triangle>& triangles, int width);
 
 }  // namespace brume

@@ -1,4 +1,5 @@
 // Binary → wide: a node takes in its largest child until it has `width` of them [Wald08]; leaves become blocks of triangles.
+// Every child but one waits on the traversal's stack: where a deep tree would overflow it, nodes take in fewer.
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -17,6 +18,7 @@ class Collapse {
 
   FlatBvh run() {
     if (tree_.nodes.empty()) return {};
+    heights_find();
     node_add(0);
     if (stack_need_ > BVH_STACK)
       throw RuntimeError("the BVH needs a traversal stack of " + std::to_string(stack_need_) +
@@ -25,10 +27,24 @@ class Collapse {
   }
 
  private:
-  std::vector<std::int32_t> children_open(std::int32_t root) const {
+  void heights_find() {
+    heights_.assign(tree_.nodes.size(), 0);
+    for (std::size_t i = heights_.size(); i-- > 0;) {  // children stand behind their parent
+      const BinaryNode& node = tree_.nodes[i];
+      if (node.left >= 0) heights_[i] = 1 + std::max(heights_[node.left], heights_[node.right]);
+    }
+  }
+
+  // Opened two by two, a child of height h needs h + 1 entries beside those that wait: that many always remain.
+  int children_max(std::int32_t root, int pending) const {
+    return std::clamp(BVH_STACK - pending - (heights_[root] - 1), 2, width_);
+  }
+
+  std::vector<std::int32_t> children_open(std::int32_t root, int pending) const {
     std::vector<std::int32_t> open{root};
     if (tree_.nodes[root].left < 0) return open;
-    while (static_cast<int>(open.size()) < width_) {
+    const int most = children_max(root, pending);
+    while (static_cast<int>(open.size()) < most) {
       std::size_t largest = open.size();
       for (std::size_t i = 0; i < open.size(); ++i)
         if (tree_.nodes[open[i]].left >= 0 &&
@@ -48,7 +64,7 @@ class Collapse {
     const float inf = std::numeric_limits<float>::infinity();
     out_.links.resize(out_.links.size() + width_, BVH_ABSENT);
     for (int run = 0; run < 6; ++run) out_.nodes.insert(out_.nodes.end(), width_, run < 3 ? inf : -inf);
-    const std::vector<std::int32_t> children = children_open(root);
+    const std::vector<std::int32_t> children = children_open(root, pending);
     const int waiting = pending + static_cast<int>(children.size()) - 1;  // one child is popped, the others wait
     stack_need_ = std::max(stack_need_, waiting + 1);
     for (std::size_t lane = 0; lane < children.size(); ++lane) {
@@ -84,6 +100,7 @@ class Collapse {
   const std::vector<Triangle>& triangles_;
   int width_;
   int stack_need_ = 0;
+  std::vector<int> heights_;  // of every binary node: levels below it
   FlatBvh out_;
 };
 

@@ -1,6 +1,9 @@
 // See program.hpp.
 #include "cl/program.hpp"
 
+#include <unistd.h>
+
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -41,10 +44,18 @@ void source_append(std::string_view text, std::string_view name, std::set<std::s
   }
 }
 
+// Into a file of its own: other builds fail too, and the temporary folder is everybody's. Says where, or that it could not.
 std::string source_keep(const std::string& source) {
-  const std::filesystem::path path = std::filesystem::temp_directory_path() / "brume-failed-kernel.cl";
-  std::ofstream(path) << source;
-  return path.string();
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  std::string path = (folder / "brume-failed-kernel-XXXXXX.cl").string();
+  const int file = error ? -1 : mkstemps(path.data(), 3);
+  if (file < 0) return "the source could not be kept: no temporary folder that can be written";
+  close(file);
+  std::ofstream out(path, std::ios::binary);
+  out << source;
+  out.close();
+  return (out ? "source kept in " : "the source could not be kept whole in ") + path;
 }
 
 }  // namespace
@@ -65,7 +76,7 @@ cl::Program program_build(const Context& context, const std::string& source, con
   } catch (const cl::Error& error) {
     const std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(context.device().device);
     throw RuntimeError("kernel build failed on " + context.device().title() + ", driver " + context.device().driver +
-                       ": " + cl_error_name(error.err()) + "\n" + log + "\noptions: " + options + "\nsource kept in " +
+                       ": " + cl_error_name(error.err()) + "\n" + log + "\noptions: " + options + "\n" +
                        source_keep(source));
   }
   return program;

@@ -1,4 +1,4 @@
-// Tentative collisions along a ray [Woodcock65, Novak14]: at a rate from each brick's own range of densities.
+// Tentative collisions along a ray [Woodcock65] [Novak14]: at a rate from each brick's own range of densities.
 #pragma once
 #include <functional>
 

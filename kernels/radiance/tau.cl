@@ -53,7 +53,7 @@ typedef struct {
 } Collision;
 
 // Collision i, of density · size = integral. Moves *tau past it.
-//   ratio and residual ratio: T *= 1 - σt (ρ - low) / rate                                       [Novak14, Eq. 13]
+//   ratio and residual ratio: T *= 1 - σt (ρ - low) / rate                                       [Novak14]
 //   delta: real with probability p = σt ρ / rate of the strongest channel, and then the end; else each channel weighs
 //   (1 - p_c) / (1 - p), which is 1 in a grey medium.
 static inline Collision track_collide(const Medium* medium, const Random* walk, const Segments* at, int i,

@@ -160,7 +160,7 @@ constexpr SceneText SCENES[] = {
     {"fog_jitter_middle", R"({
   "camera": {"eye": [0.7, 0.9, 3.5], "target": [0, 0, 0], "vfov": 40},
   "lights": [{"type": "directional", "direction": [-0.5, -1, -0.3], "irradiance": [4, 4, 4]}],
-  "media": [{"interpolation": "nearest", "density": {"type": "perlin", "resolution": [21, 17, 26], "scale": 3, "octaves": 3, "seed": 7},
+  "media": [{"density": {"type": "perlin", "resolution": [21, 17, 26], "scale": 3, "octaves": 3, "seed": 7},
              "sigma_a": 0.5, "sigma_s": [2, 1, 0.5]}],
   "render": {"method": "march_midpoint_jitter", "step": 0.07, "roulette": 0.3}})"},
     {"fog_delta", R"({

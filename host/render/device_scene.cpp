@@ -3,6 +3,13 @@
 
 namespace brume {
 
+namespace {
+
+// Trackers take their rates from the ranges, bytes their scale.
+bool reads_ranges(const FlatScene& s) { return (s.draws >> DRAWS_COLLISIONS) & 1u || s.storage == STORAGE_U8; }
+
+}  // namespace
+
 DeviceScene::DeviceScene(Context& context, const FlatScene& s, int tau_channels) {
   buffers_ = {
       context.buffer("frame", sizeof(Frame), &s.frame),
@@ -18,7 +25,7 @@ DeviceScene::DeviceScene(Context& context, const FlatScene& s, int tau_channels)
       context.buffer("BVH triangle numbers", s.bvh_ids),
       context.buffer("media", s.media),
       context.buffer("brick index", s.bricks),
-      context.buffer("brick ranges", s.brick_ranges),
+      context.buffer("brick ranges", reads_ranges(s) ? s.brick_ranges : std::vector<float>{}),
       s.packed.empty() ? context.buffer("voxels", s.voxels) : context.buffer("voxels", s.packed),
       context.buffer("light grid", static_cast<std::size_t>(s.light_entries * tau_channels) * sizeof(float)),
   };

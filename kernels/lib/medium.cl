@@ -121,6 +121,7 @@ static inline floatW density_of(const Segments* at, floatW stored) {
 #if BRUME_STORAGE == 2
   return mad_exact(stored, lanes_load(at->part), lanes_load(at->zero));
 #else
+  (void)at;
   return stored;
 #endif
 }

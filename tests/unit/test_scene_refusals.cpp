@@ -204,6 +204,8 @@ TEST(SceneRefusals, RefusesWhatIsOutOfRangeOrStillToCome) {
        "/render/in_scattering: unknown in-scattering rule 'trapezoid'; known: segment, rectangle"},
       {R"({"render": {"shadow": "none"}})", "/render/shadow: unknown shadow mode 'none'; known: auto, trace, grid"},
       {R"({"render": {"light_grid": 0}})", "/render/light_grid: expected"},
+      {R"({"render": {"roulette": 1.5}})", "/render/roulette: expected"},
+      {R"({"render": {"storage": "f64"}})", "/render/storage: unknown storage 'f64'; known: f32, f16, u8"},
       {R"({"render": {"max_error": 0.01}})",
        "/render/max_error: not available in this version; allowed: null, got 0.01"},
       {R"({"materials": {"m": {"reflection": 1.5}}})", "/materials/m/reflection: expected a number in [0, 1]"},

@@ -37,14 +37,14 @@ std::size_t sparse_write(const fs::path& file) {
 TEST_F(Memory, AMostlyEmptyGridCostsWhatIsInIt) {
   const std::size_t filled = sparse_write(folder_ / "sparse.vdb");
   EXPECT_NEAR(static_cast<double>(filled) / (double(SIDE) * SIDE * SIDE), 0.05, 0.002);
-  const Outcome r = run("render sparse.vdb --size 256x256 --stats s.json --quiet -o a.png");
+  const Outcome r = run("render sparse.vdb --set /render/light_grid=64 --size 256x256 --stats s.json --quiet -o a.png");
   ASSERT_EQ(r.exit_code, 0) << r.err;
   rusage usage;
   getrusage(RUSAGE_CHILDREN, &usage);
   EXPECT_LT(usage.ru_maxrss, 600 << 10) << "KiB of the largest child process";
   const auto memory = nlohmann::json::parse(text(folder_ / "s.json")).at("memory");
   const double film = 256 * 256 * 64;
-  // of the cells of the bricks that are stored: 9³ samples for 8³ cells, the index, the light grid, the rays in flight
+  // of the cells of the bricks that are stored: 9³ samples for 8³ cells, the index, a light grid of 64 (1.1 MB; 128, a bare volume's own, is 8.6 MB), the rays in flight
   const double cells = memory.at("voxel_bytes").get<double>() * 512 / 729;
   const double share = (memory.at("device_bytes").get<double>() - film) / cells;
   EXPECT_LE(share, 1.6);

@@ -152,8 +152,9 @@ class Walk {
     const int first = (~link) / 16, count = (~link) % 16;
     EXPECT_GE(count, 1);
     EXPECT_LE(count, BVH_LEAF_BLOCKS_MAX);
-    EXPECT_LE(static_cast<std::size_t>(first + count), blocks_.size());
-    if (static_cast<std::size_t>(first + count) > blocks_.size()) return below;
+    const int blocks = static_cast<int>(blocks_.size());
+    EXPECT_LE(first + count, blocks);
+    if (first + count > blocks) return below;
     for (int block = first; block < first + count; ++block) {
       ++blocks_[block];
       for (int lane = 0; lane < width_; ++lane) {

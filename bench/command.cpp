@@ -2,6 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <memory>
@@ -81,6 +82,27 @@ void peer_benchmark(::benchmark::State& state, const Workload& work, const std::
   state.counters["process_s"] = run->process_s;
 }
 
+void mitsuba_benchmark(::benchmark::State& state, const DeviceInfo& device, const Workload& work,
+                       const std::filesystem::path& folder) {
+  std::optional<MitsubaRun> run;
+  for (auto unused : state) {
+    (void)unused;
+    run = mitsuba_run(work, folder);
+    if (!run) return state.SkipWithError("no Mitsuba here (BRUME_PYTHON names a Python that has it)");
+    state.SetIterationTime(run->render_s);
+  }
+  const Image one = image_read(run->pictures[0]), two = image_read(run->pictures[1]);
+  state.counters["rel_rmse"] = image_compare(one, two).rel_rmse / std::sqrt(2.0);  // two errors of the same size
+  Context context(device);
+  const Image& exact = exact_picture(context, work);
+  double theirs = 0, ours = 0;
+  for (std::size_t i = 0; i < exact.values.size(); ++i) {
+    theirs += 0.5 * (double(one.values[i]) + two.values[i]);
+    ours += exact.values[i];
+  }
+  state.counters["mean_to_exact"] = theirs / ours;
+}
+
 void process_benchmark(::benchmark::State& state, const SceneDesc& desc, const std::filesystem::path& folder) {
   brume_process_seconds(desc, folder);  // fills the kernel cache
   for (auto unused : state) {
@@ -109,6 +131,12 @@ void register_all(const DeviceInfo& device, const std::vector<Workload>& all, co
       manual(::benchmark::RegisterBenchmark(
           ("peer/" + work.name + "/vdb_render").c_str(),
           [&work, folder](::benchmark::State& state) { peer_benchmark(state, work, folder); }));
+    if (arguments.peers)
+      manual(::benchmark::RegisterBenchmark(("peer/" + work.name + "/mitsuba_64spp").c_str(),
+                                            [&device, &work, folder](::benchmark::State& state) {
+                                              mitsuba_benchmark(state, device, work, folder);
+                                            }),
+             true);
     for (const char* name : {"march_midpoint_2/grid64", "march_midpoint_4/grid32"})
       manual(::benchmark::RegisterBenchmark(("process/" + work.name + "/" + name).c_str(),
                                             [&work, name, folder](::benchmark::State& state) {
@@ -155,7 +183,8 @@ void command_bench(CLI::App& app, Command& run) {
   command->add_option("--size", arguments->size, "Pixels per side")->check(CLI::Range(16, 4096));
   command->add_option("--repetitions", arguments->repetitions, "Runs of each; the median counts")
       ->check(CLI::Range(1, 100));
-  command->add_flag("--peers", arguments->peers, "Run vdb_render on the same work too");
+  command->add_flag("--peers", arguments->peers,
+                    "Run vdb_render and Mitsuba on the same work too, where they are installed");
   command->callback([arguments, &run] { run = [arguments] { return bench_run(*arguments); }; });
 }
 

@@ -1,6 +1,7 @@
-// See interrupt.hpp. A signal handler may only touch a lock-free flag and _exit.
+// See interrupt.hpp. A signal handler may only touch a lock-free flag, read the clock and _exit.
 #include "base/interrupt.hpp"
 
+#include <time.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -8,11 +9,19 @@
 namespace brume {
 
 namespace {
-volatile std::sig_atomic_t interrupt_count = 0;
+volatile std::sig_atomic_t requested = 0;
+volatile double first_s = 0;  // seconds of the monotonic clock
+
+double now() {
+  timespec t{};
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
 
 extern "C" void interrupt_handle(int) {
-  interrupt_count = interrupt_count + 1;
-  if (interrupt_count > 1) _exit(130);
+  if (requested && now() - first_s > INTERRUPT_ECHO_S) _exit(130);
+  if (!requested) first_s = now();
+  requested = 1;
 }
 }  // namespace
 
@@ -21,6 +30,6 @@ void interrupt_install() {
   std::signal(SIGTERM, interrupt_handle);
 }
 
-bool interrupt_requested() { return interrupt_count > 0; }
+bool interrupt_requested() { return requested != 0; }
 
 }  // namespace brume

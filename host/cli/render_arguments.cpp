@@ -49,7 +49,7 @@ void RenderArguments::add_options(CLI::App& command) {
   command.add_option("--device", device, "Index or part of the name of an OpenCL device (see brume devices)");
   command.add_option("--method", method, "Transmittance method: auto, " + family_names(method_family()));
   command.add_option("--step", step, "Marching step as a share of the medium's longest side");
-  command.add_option("--shadow", shadow, "Light inside media: trace");
+  command.add_option("--shadow", shadow, "Light inside media: auto, " + family_names(shadow_family()));
   command.add_option("--max-error", max_error, "Accuracy to reach (not available yet)");
   command.add_option("--lanes", lanes, "SIMD lanes inside a work-item; default by device")
       ->check(CLI::IsMember({1, 4, 8, 16}));

@@ -113,11 +113,22 @@ TEST_F(Render, ToolsSpeakJson) {
 
 TEST_F(Render, InterruptedKeepsWhatIsDone) {
   write("a.json", SCENE);
-  const Outcome r =
-      run("render a.json -o a.exr --quiet --size 256x256 --spp 4096", "", "timeout --preserve-status -s INT 3");
+  run("render a.json -o a.png --quiet --size 16x16 --spp 4");  // kernels cached: the seconds below go into the picture
+  const Outcome r =  // timeout signals the process and then its group: twice, which is once
+      run("render a.json -o a.exr --quiet --size 256x256 --spp 65536", "", "timeout --preserve-status -s INT 3");
   EXPECT_EQ(r.exit_code, 130);
   const Image kept = image("a.exr");
   EXPECT_EQ(kept.width, 256);
+}
+
+TEST_F(Render, SecondInterruptEndsAtOnce) {
+  write("a.json", SCENE);
+  // Its first batch takes minutes: only the second signal ends it.
+  const Outcome r =
+      run("render a.json -o a.exr --quiet --size 256x256 --set /camera/vfov=5 --step 1e-6 --method march_midpoint", "",
+          "timeout -s KILL 60 sh -c '\"$@\" & sleep 2; kill -TERM $!; sleep 1; kill -TERM $!; wait $!' sh");
+  EXPECT_EQ(r.exit_code, 130);
+  EXPECT_EQ(files(), (std::set<std::string>{"a.json"}));
 }
 
 }  // namespace

@@ -28,8 +28,10 @@ const std::vector<Setting>& settings() {
       {"dda_midpoint/grid16", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 16},
       {"dda_midpoint_f16/grid128", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 128, STORAGE_F16},
       {"dda_midpoint_u8/grid128", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 128, STORAGE_U8},
+      {"march_midpoint_0.5/grid64", METHOD_MARCH_MIDPOINT, 0.5, SHADOW_GRID, 64},  // to 4: cost against steps
       {"march_midpoint_1/grid64", METHOD_MARCH_MIDPOINT, 1, SHADOW_GRID, 64},
       {"march_midpoint_2/grid64", METHOD_MARCH_MIDPOINT, 2, SHADOW_GRID, 64},
+      {"march_midpoint_4/grid64", METHOD_MARCH_MIDPOINT, 4, SHADOW_GRID, 64},
       {"march_midpoint_2/grid32", METHOD_MARCH_MIDPOINT, 2, SHADOW_GRID, 32},
       {"march_midpoint_4/grid32", METHOD_MARCH_MIDPOINT, 4, SHADOW_GRID, 32},
       {"march_midpoint_6/grid24", METHOD_MARCH_MIDPOINT, 6, SHADOW_GRID, 24},

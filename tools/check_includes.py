@@ -13,6 +13,7 @@ HOST = {
     "mesh": "base",
     "accel": "base shared",
     "image": "base",
+    "codec": "image",
     "flat": "base shared scene volume mesh accel image",
     "cl": "base",
     "film": "base shared image",
@@ -37,7 +38,7 @@ LIBRARIES = {
     "CL/": "cl",
     "openvdb/": "volume",
     "tiny_obj_loader": "mesh",
-    "OpenImageIO/": "image",
+    "OpenImageIO/": "codec",
     "CLI/": "cli",
     "nlohmann/": "base scene check cli",
 }

@@ -1,4 +1,4 @@
-// Image files in and out through OpenImageIO: what is read, what is refused, what is written. No tone curve
+// Image files in and out through OpenImageIO (in host/codec): what is read, what is refused, what is written. No tone curve
 // (host/film), no texture lookup, no comparison.
 #pragma once
 #include <cstddef>
@@ -19,16 +19,11 @@ struct Image {
   std::string source;          // the file, for messages
 };
 
-// Largest image that is read: per side, and decoded to float with all its channels.
-inline constexpr int IMAGE_SIDE_MAX = 16384;
-inline constexpr std::size_t IMAGE_BYTES_MAX = std::size_t(1) << 30;
-
 // Reading. Formats are told by content (see image_format.hpp), not by extension; of a multi-part file the first part is
 // read, of a mip-mapped one the finest level; the Exif orientation is not applied.
 //
-// Some damaged files kill the library from within (abort, stack overflow), so the decoding runs in a forked child that
-// sends the values back: call these before the first OpenCL call of the process (a forked PoCL has lost its workers)
-// and while no other thread is inside OpenImageIO. (setup keeps OpenImageIO itself free of threads for that reason.)
+// The library runs in a program of its own, brume-image (image_program.hpp): some damaged files kill it from within (abort, stack
+// overflow). One thread at a time.
 //
 // Errors: InputError for a file that is missing, of no known format, too large (the message gives size and limit),
 // damaged, deep or volumetric, or that crashes the library ("... makes the image library crash (signal 6)").
@@ -68,7 +63,7 @@ void image_write_exr(const std::filesystem::path& file, int width, int height,
 void image_write_display(const std::filesystem::path& file, int width, int height, const std::vector<float>& rgb);
 
 // To be called BEFORE a long rendering: throws what writing to that path would throw for its extension, folder or
-// target.
+// target, and has the image library loaded meanwhile.
 void image_check_writable(const std::filesystem::path& file);
 
 }  // namespace brume

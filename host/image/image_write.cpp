@@ -1,41 +1,31 @@
 // Images out: EXR with layers, PNG and JPEG. Temporaries end in the target's extension because the library goes by it.
-#include <OpenImageIO/imageio.h>
-
 #include <cmath>
 #include <cstdint>
-#include <memory>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "image/image.hpp"
-#include "image/image_decode.hpp"
 #include "image/image_format.hpp"
+#include "image/image_program.hpp"
 
 namespace brume {
 namespace fs = std::filesystem;
 
 namespace {
 
-void write(const fs::path& file, const ImageFormat& format, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
-           const void* values) {
-  image_library_setup();
+void write(const fs::path& file, const ImageFormat& format, const ImageRequest& request,
+           const std::vector<std::string>& channels, const ImageMetadata& attributes, const void* values) {
   AtomicFile atomic(file, format.extensions.front());
-  std::string cause;
-  try {
-    const auto output = OIIO::ImageOutput::create(std::string(format.plugin));
-    if (!output)
-      throw RuntimeError(file.string() + ": this build of the image library cannot write " + std::string(format.name));
-    // close() flushes: a full disk may show only there.
-    if (output->open(atomic.temporary().string(), spec) && output->write_image(type, values) && output->close())
-      return atomic.commit();
-    cause = output->geterror();
-  } catch (const RuntimeError&) {
-    throw;
-  } catch (const std::exception& error) {
-    cause = error.what();
-  }
+  std::vector<std::string> texts{std::string(format.plugin), fs::absolute(atomic.temporary()).string()};
+  texts.insert(texts.end(), channels.begin(), channels.end());
+  for (const auto& [key, value] : attributes) texts.insert(texts.end(), {key, value});
+  ImageAnswer answer{};
+  std::vector<std::string> said;
+  ImageProgram& program = ImageProgram::writer();
+  if (program.ask(request, texts, values, answer, said) && answer.width > 0) return atomic.commit();
+  const std::string how = program.stop();
   throw RuntimeError(file.string() +
-                     ": cannot be written: " + (cause.empty() ? "no reason given by the image library" : cause));
+                     ": cannot be written: " + (said.empty() ? "the image library crashed (" + how + ")" : said[0]));
 }
 
 void check_output(const fs::path& file, const ImageFormat& format, ImageOutput wanted) {
@@ -56,31 +46,34 @@ void image_write_exr(const fs::path& file, int width, int height, const std::vec
   const ImageFormat& format = image_format_of_output(file);
   check_output(file, format, ImageOutput::LINEAR);
   const std::size_t count = channels.size(), pixels = std::size_t(width) * std::size_t(height);
-  OIIO::ImageSpec spec(width, height, static_cast<int>(count), OIIO::TypeDesc::FLOAT);
-  spec.channelnames.clear();
-  for (const ImageChannel& channel : channels) spec.channelnames.push_back(channel.name);
-  spec.attribute("compression", "zip");
-  for (const auto& [key, value] : metadata) spec.attribute(key, value);
+  std::vector<std::string> names;
+  names.reserve(count);
+  for (const ImageChannel& channel : channels) names.push_back(channel.name);
+  ImageMetadata attributes{{"compression", "zip"}};
+  attributes.insert(attributes.end(), metadata.begin(), metadata.end());
   std::vector<float> values(pixels * count);
   for (std::size_t c = 0; c < count; ++c)
     for (std::size_t i = 0; i < pixels; ++i) values[i * count + c] = channels[c].values[i * channels[c].stride];
-  write(file, format, spec, OIIO::TypeDesc::FLOAT, values.data());
+  write(file, format,
+        {0, ImageAction::WRITE, width, height, static_cast<int>(count), Samples::FLOATING, 0,
+         values.size() * sizeof(float)},
+        names, attributes, values.data());
 }
 
 void image_write_display(const fs::path& file, int width, int height, const std::vector<float>& rgb) {
   const ImageFormat& format = image_format_of_output(file);
   check_output(file, format, ImageOutput::DISPLAY);
-  OIIO::ImageSpec spec(width, height, 3, OIIO::TypeDesc::UINT8);
-  spec.attribute("Compression", "jpeg:95");  // PNG does not read these two
-  spec.attribute("jpeg:subsampling", "4:4:4");
+  const ImageMetadata attributes{{"Compression", "jpeg:95"}, {"jpeg:subsampling", "4:4:4"}};  // PNG does not read them
   std::vector<std::uint8_t> codes(rgb.size());
   for (std::size_t i = 0; i < rgb.size(); ++i) codes[i] = quantise(rgb[i]);
-  write(file, format, spec, OIIO::TypeDesc::UINT8, codes.data());
+  write(file, format, {0, ImageAction::WRITE, width, height, 3, Samples::UINT8, 0, codes.size()}, {"R", "G", "B"},
+        attributes, codes.data());
 }
 
 void image_check_writable(const fs::path& file) {
   const ImageFormat& format = image_format_of_output(file);
   AtomicFile probe(file, format.extensions.front());
+  ImageProgram::writer().start();
 }
 
 }  // namespace brume

@@ -1,8 +1,10 @@
 // The program as its users run it: outputs, options, determinism, interruption.
 #include <nlohmann/json.hpp>
 
+#include <gmock/gmock.h>
 #include "film/film_compare.hpp"
 #include "image/image.hpp"
+
 #include "program.hpp"
 
 namespace brume::test {
@@ -62,7 +64,8 @@ TEST_F(Render, IsTheSameFromRunToRunForAnyThreadsAndTiles) {
   for (int y = 3; y < 17; ++y)
     for (int x = 5; x < 19; ++x)
       for (int c = 0; c < 3; ++c) {
-        const std::size_t i = static_cast<std::size_t>((y * whole.width + x) * whole.channels + c);
+        const std::size_t i =
+            (std::size_t(y) * std::size_t(whole.width) + std::size_t(x)) * std::size_t(whole.channels) + std::size_t(c);
         ASSERT_EQ(whole.values[i], crop.values[i]) << x << "," << y;
       }
 }
@@ -129,6 +132,15 @@ TEST_F(Render, SecondInterruptEndsAtOnce) {
           "timeout -s KILL 60 sh -c '\"$@\" & sleep 2; kill -TERM $!; sleep 1; kill -TERM $!; wait $!' sh");
   EXPECT_EQ(r.exit_code, 130);
   EXPECT_EQ(files(), (std::set<std::string>{"a.json"}));
+}
+
+TEST_F(Render, AloneSaysWhatIsMissing) {
+  write("a.json", SCENE);
+  const Outcome r = run("render a.json -o a.png", "", "sh -c 'mkdir b && cp \"$0\" b && b/brume \"$@\"'");
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_THAT(r.err, testing::HasSubstr("images need the program"));
+  EXPECT_THAT(r.err, testing::HasSubstr("b/brume-image"));
+  EXPECT_FALSE(files().count("a.png"));
 }
 
 }  // namespace

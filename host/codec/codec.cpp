@@ -1,0 +1,119 @@
+// The loop over requests, and what the library makes of each.
+#include "codec/codec.hpp"
+
+#include <OpenImageIO/imageio.h>
+#include <unistd.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "image/image_protocol.hpp"
+
+namespace brume {
+
+namespace {
+
+struct Peer {
+  int socket;
+  void send(const void* data, std::size_t bytes) const {
+    if (!socket_send(socket, data, bytes)) ::_exit(0);  // nobody waits any more
+  }
+};
+
+Samples samples_of(const OIIO::TypeDesc& format) {
+  if (format == OIIO::TypeDesc::UINT8) return Samples::UINT8;
+  if (format == OIIO::TypeDesc::UINT16) return Samples::UINT16;
+  return format.is_floating_point() ? Samples::FLOATING : Samples::OTHER_INTEGER;
+}
+
+std::unique_ptr<OIIO::ImageInput> open_file(const std::string& plugin, const std::string& file) {
+  auto input = OIIO::ImageInput::create(plugin);
+  if (!input) throw std::runtime_error("this build of the image library cannot read " + plugin);
+  OIIO::ImageSpec spec, config;
+  config["oiio:UnassociatedAlpha"] = 1;  // colours as stored, not multiplied by alpha
+  if (!input->open(file, spec, config)) throw std::runtime_error(input->geterror());
+  return input;
+}
+
+void read(const Peer& peer, const std::vector<std::string>& texts) {
+  const auto input = open_file(texts.at(0), texts.at(1));
+  const OIIO::ImageSpec spec = input->spec();
+  if (spec.deep) throw std::runtime_error("deep images are not read");
+  if (spec.depth > 1) throw std::runtime_error("volumetric images are not read");
+  const std::string problem = image_size_problem(spec.width, spec.height, spec.nchannels);
+  if (!problem.empty()) throw std::runtime_error(problem);
+  std::vector<float> values(std::size_t(spec.width) * std::size_t(spec.height) * std::size_t(spec.nchannels));
+  if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::FLOAT, values.data()))
+    throw std::runtime_error(input->geterror());
+  std::vector<std::string> names;
+  names.reserve(std::size_t(spec.nchannels));
+  for (int c = 0; c < spec.nchannels; ++c) names.push_back(std::string(spec.channel_name(c)));
+  const std::string joined = texts_join(names);
+  const ImageAnswer answer{spec.width, spec.height, spec.nchannels, samples_of(spec.format), joined.size()};
+  peer.send(&answer, sizeof answer);
+  peer.send(joined.data(), joined.size());
+  peer.send(values.data(), values.size() * sizeof(float));
+}
+
+void write(const Peer& peer, const ImageRequest& request, const std::vector<std::string>& texts,
+           const std::vector<char>& values) {
+  const OIIO::TypeDesc type = request.samples == Samples::UINT8 ? OIIO::TypeDesc::UINT8 : OIIO::TypeDesc::FLOAT;
+  OIIO::ImageSpec spec(request.width, request.height, request.channels, type);
+  spec.channelnames.clear();
+  std::size_t text = 2;
+  for (int c = 0; c < request.channels; ++c) spec.channelnames.push_back(texts.at(text++));
+  for (; text + 1 < texts.size(); text += 2) spec.attribute(texts[text], texts[text + 1]);
+  const auto output = OIIO::ImageOutput::create(texts.at(0));
+  if (!output) throw std::runtime_error("this build of the image library cannot write " + texts.at(0));
+  // close() flushes: a full disk may show only there.
+  if (!output->open(texts.at(1), spec) || !output->write_image(type, values.data()) || !output->close())
+    throw std::runtime_error(output->geterror());
+  const ImageAnswer answer{request.width, request.height, request.channels, request.samples, 0};
+  peer.send(&answer, sizeof answer);
+}
+
+void refuse(const Peer& peer, std::string message) {
+  if (message.empty()) message = "no reason given by the image library";
+  const std::string joined = texts_join({message.substr(0, IMAGE_TEXT_MAX - 1)});
+  const ImageAnswer answer{0, 0, 0, Samples::FLOATING, joined.size()};
+  peer.send(&answer, sizeof answer);
+  peer.send(joined.data(), joined.size());
+}
+
+void serve(const Peer& peer, const ImageRequest& request, const std::vector<std::string>& texts,
+           const std::vector<char>& values) {
+  if (request.action == ImageAction::WRITE) return write(peer, request, texts, values);
+  ::alarm(IMAGE_READ_SECONDS);
+  read(peer, texts);
+  ::alarm(0);
+}
+
+}  // namespace
+
+bool codec_serve(int socket) {
+  OIIO::attribute("limits:imagesize_MB", static_cast<int>(IMAGE_BYTES_MAX >> 20));
+  OIIO::attribute("limits:channels", IMAGE_CHANNELS_MAX);
+  const Peer peer{socket};
+  ImageRequest request;
+  while (socket_receive(socket, &request, sizeof request)) {
+    if (request.protocol != IMAGE_PROTOCOL || request.text_bytes > IMAGE_TEXT_MAX) {
+      refuse(peer, "brume-image is of another version than brume");
+      return false;
+    }
+    try {
+      std::string joined(request.text_bytes, '\0');
+      std::vector<char> values(request.value_bytes);
+      if (!socket_receive(socket, joined.data(), joined.size()) ||
+          !socket_receive(socket, values.data(), values.size()))
+        return false;
+      serve(peer, request, texts_split(joined), values);
+    } catch (const std::bad_alloc&) {
+      refuse(peer, "needs more memory than there is");
+    } catch (const std::exception& error) {
+      refuse(peer, error.what());
+    }
+  }
+  return true;
+}
+
+}  // namespace brume

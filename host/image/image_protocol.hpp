@@ -1,0 +1,52 @@
+// What brume and brume-image (host/codec) say to each other over a socket: one request, one answer, in the machine's own byte order; both are
+// built together.
+#pragma once
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace brume {
+
+inline constexpr int IMAGE_PROTOCOL = 1;  // a program left over from another version says so instead of guessing
+
+enum class Samples { UINT8, UINT16, OTHER_INTEGER, FLOATING };
+enum class ImageAction { READ, WRITE };
+
+// Followed by text_bytes of texts and value_bytes of values.
+//   READ: texts plugin, file; no values.
+//   WRITE: texts plugin, file, one name per channel, then key, value pairs; values as `samples` says (UINT8 or FLOATING), channels interleaved.
+struct ImageRequest {
+  int protocol;
+  ImageAction action;
+  int width, height, channels;
+  Samples samples;
+  std::size_t text_bytes, value_bytes;
+};
+
+// Followed by text_bytes of texts. width 0: it failed, the text says why. READ: one text per channel, its name, then the values as float,
+// integers scaled to [0, 1].
+struct ImageAnswer {
+  int width, height, channels;
+  Samples samples;
+  std::size_t text_bytes;
+};
+
+// Largest image that is read: per side, and decoded to float with all its channels.
+inline constexpr int IMAGE_SIDE_MAX = 16384;
+inline constexpr std::size_t IMAGE_BYTES_MAX = std::size_t(1) << 30;
+inline constexpr int IMAGE_CHANNELS_MAX = 1024;
+inline constexpr std::size_t IMAGE_TEXT_MAX = 1 << 20;
+inline constexpr unsigned IMAGE_READ_SECONDS = 120;
+
+// Why an image of that size is not read; "" if it is.
+std::string image_size_problem(int width, int height, int channels);
+
+// Texts, each ended by a NUL.
+std::string texts_join(const std::vector<std::string>& texts);
+std::vector<std::string> texts_split(const std::string& joined);
+
+// All bytes, or false where the other side is gone.
+bool socket_send(int socket, const void* data, std::size_t bytes);
+bool socket_receive(int socket, void* data, std::size_t bytes);
+
+}  // namespace brume

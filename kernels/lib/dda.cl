@@ -28,7 +28,8 @@ typedef struct {
 
 static inline float axis_crossing(const DdaAxis* a, float plane) { return (plane - a->origin) * a->inv_dir; }
 
-static inline DdaAxis axis_begin(float origin, float dir, int bricks) {
+// At s along the ray.
+static inline DdaAxis axis_begin(float origin, float dir, float s, int bricks) {
   const int moves = fabs(dir) > 1e-30f;
   DdaAxis a;
   a.origin = moves ? origin : -1.0f;  // planes are >= 0: the product below is +inf, never 0 * inf
@@ -37,7 +38,7 @@ static inline DdaAxis axis_begin(float origin, float dir, int bricks) {
   a.ahead = a.step > 0.0f ? 1.0f : 0.0f;
   a.cell = 0.0f;
   a.cell_exit = 0.0f;
-  a.brick = fmin(fmax(floor(origin * (1.0f / BRICK_CELLS)), 0.0f), (float)(bricks - 1));
+  a.brick = fmin(fmax(floor(mad_exact(s, dir, origin) * (1.0f / BRICK_CELLS)), 0.0f), (float)(bricks - 1));
   a.brick_exit = axis_crossing(&a, (a.brick + a.ahead) * BRICK_CELLS);
   return a;
 }
@@ -60,12 +61,12 @@ static inline void axis_step_brick(DdaAxis* a, float exit) {
   a->brick_exit = axis_crossing(a, (a->brick + a->ahead) * BRICK_CELLS);
 }
 
-static inline Dda dda_begin(const Medium* medium, const MediumRay* ray) {
+static inline Dda dda_begin(const Medium* medium, const MediumRay* ray, float s) {
   Dda d;
-  d.x = axis_begin(ray->origin.x, ray->dir.x, medium->brick_nx);
-  d.y = axis_begin(ray->origin.y, ray->dir.y, medium->brick_ny);
-  d.z = axis_begin(ray->origin.z, ray->dir.z, medium->brick_nz);
-  d.s = 0.0f;
+  d.x = axis_begin(ray->origin.x, ray->dir.x, s, medium->brick_nx);
+  d.y = axis_begin(ray->origin.y, ray->dir.y, s, medium->brick_ny);
+  d.z = axis_begin(ray->origin.z, ray->dir.z, s, medium->brick_nz);
+  d.s = s;
   d.end = ray->length;
   d.brick_end = 0.0f;
   d.base = 0;
@@ -99,6 +100,14 @@ static inline int dda_brick_index(const Medium* medium, const Dda* d) {
   return medium->brick_offset + (z * medium->brick_ny + y) * medium->brick_nx + x;
 }
 
+#if BRUME_STORAGE == 2
+// Of a brick: density = x + y * what is stored.
+static inline float2 brick_scale(const Scene* scene, int index) {
+  const float2 range = vload2(index, scene->ranges);
+  return (float2)(range.x, (range.y - range.x) / 255.0f);
+}
+#endif
+
 // What segment i of a walk takes from the brick in which the walk stands.
 static inline void dda_brick_store(const Dda* d, int i, Segments* out) {
   out->base[i] = d->base;
@@ -120,9 +129,9 @@ static inline int dda_next_brick(const Scene* scene, const Medium* medium, Dda* 
       d->brick_end = exit;
       d->base = entry * BRICK_VALUES - BRICK_CELLS * brick_stride((int)d->x.brick, (int)d->y.brick, (int)d->z.brick);
 #if BRUME_STORAGE == 2
-      const float2 range = vload2(dda_brick_index(medium, d), scene->ranges);
-      d->zero = range.x;
-      d->part = (range.y - range.x) / 255.0f;
+      const float2 scale = brick_scale(scene, dda_brick_index(medium, d));
+      d->zero = scale.x;
+      d->part = scale.y;
 #endif
       return 1;
     }

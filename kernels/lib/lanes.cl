@@ -26,6 +26,8 @@ typedef int intW;
 #define lanes_any(condition) (condition)
 #define lanes_sum(v) (v)
 #define lanes_iota() (0.0f)
+#define lanes_before(v) (0.0f)
+#define lanes_gather_int(p, offset) ((p)[offset])
 #else
 #define LANES_GLUE_(a, b) a##b
 #define LANES_GLUE(a, b) LANES_GLUE_(a, b)
@@ -39,13 +41,21 @@ typedef LANES_GLUE(int, BRUME_LANES) intW;
 #define lanes_any(condition) any(condition)
 #endif
 
-// Sums in a fixed tree, so that a picture does not depend on the compiler.
+// Sums in a fixed tree, so that a picture does not depend on the compiler; lanes_before: of the lanes before each.
 #if W == 4
 static inline float lanes_sum(floatW v) {
   const float2 a = v.lo + v.hi;
   return a.x + a.y;
 }
 #define lanes_iota() ((float4)(0, 1, 2, 3))
+static inline floatW lanes_before(floatW v) {
+  v += (float4)(0, v.xyz);
+  v += (float4)(0, 0, v.xy);
+  return (float4)(0, v.xyz);
+}
+static inline intW lanes_gather_int(__global const int* p, intW o) {
+  return (int4)(p[o.s0], p[o.s1], p[o.s2], p[o.s3]);
+}
 #elif W == 8
 static inline float lanes_sum(floatW v) {
   const float4 a = v.lo + v.hi;
@@ -53,6 +63,15 @@ static inline float lanes_sum(floatW v) {
   return b.x + b.y;
 }
 #define lanes_iota() ((float8)(0, 1, 2, 3, 4, 5, 6, 7))
+static inline floatW lanes_before(floatW v) {
+  v += (float8)(0, v.s012, v.s3456);
+  v += (float8)(0, 0, v.s01, v.s2345);
+  v += (float8)((float4)(0), v.lo);
+  return (float8)(0, v.s012, v.s3456);
+}
+static inline intW lanes_gather_int(__global const int* p, intW o) {
+  return (int8)(p[o.s0], p[o.s1], p[o.s2], p[o.s3], p[o.s4], p[o.s5], p[o.s6], p[o.s7]);
+}
 #elif W == 16
 static inline float lanes_sum(floatW v) {
   const float8 a = v.lo + v.hi;
@@ -61,6 +80,17 @@ static inline float lanes_sum(floatW v) {
   return c.x + c.y;
 }
 #define lanes_iota() ((float16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
+static inline floatW lanes_before(floatW v) {
+  v += (float16)(0, v.s012, v.s3456, v.s789abcde);
+  v += (float16)(0, 0, v.s01, v.s2345, v.s6789abcd);
+  v += (float16)((float4)(0), v.s0123, v.s456789ab);
+  v += (float16)((float8)(0), v.lo);
+  return (float16)(0, v.s012, v.s3456, v.s789abcde);
+}
+static inline intW lanes_gather_int(__global const int* p, intW o) {
+  return (int16)(p[o.s0], p[o.s1], p[o.s2], p[o.s3], p[o.s4], p[o.s5], p[o.s6], p[o.s7], p[o.s8], p[o.s9], p[o.sa],
+                 p[o.sb], p[o.sc], p[o.sd], p[o.se], p[o.sf]);
+}
 #endif
 
 // name(p, offset, &first, &second): p[offset] and p[offset + 1] of every lane, by load2(p) -> float2. One 8-byte load a lane is

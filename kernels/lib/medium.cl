@@ -47,7 +47,7 @@ static inline MediumRay medium_ray(const Medium* medium, float3 origin, float3 d
 // Up to W stretches of a ray, each inside one stored brick (or, for a constant medium, anywhere). (x, y, z) is the cell of
 // the stretch, or the first cell of its brick: the walk that fills them knows which, and says so as `reach` below.
 typedef struct {
-  int count;
+  int count;  // how many have a length; those without lie last, but for the marchers' in empty bricks; 0 at the end
   float place[W];  // s at which density and light are sampled: the middle, but for march_regular
   float size[W];   // world length; 0 beyond count
   int base[W];     // of the brick: the sample of cell (x, y, z) is at base + brick_stride(x, y, z)

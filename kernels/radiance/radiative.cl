@@ -146,27 +146,41 @@ static inline floatW segment_gain(const Scene* scene, float sigma_t, floatW inte
   return sigma_t > 1e-20f ? exp(-before) * -expm1(-own) / sigma_t : exp(-before) * integral;
 }
 
+// τ of medium m up to each segment; moves *tau past them all.
+static inline void stretch_before(const Scene* scene, Stretch* s, tau_t sigma_t, tau_t* tau, floatW* before) {
+#if BRUME_ROULETTE
+  float each[TAU_CHANNELS][W];
+  for (int i = 0; i < W; ++i) {
+    for (int c = 0; c < TAU_CHANNELS; ++c) each[c][i] = tau_channel(*tau, c);
+    *tau += sigma_t * s->integral[i];
+    if (s->integral[i] > 0.0f && !roulette_survives(scene, &s->walk, walk_id(s->medium, s->at, i), tau))
+      stretch_cut(s, i + 1);
+  }
+  for (int c = 0; c < TAU_CHANNELS; ++c) before[c] = lanes_load(each[c]);
+#else
+  const floatW integral = lanes_load(s->integral), walked = lanes_before(integral);
+  for (int c = 0; c < TAU_CHANNELS; ++c)
+    before[c] = mad_exact((floatW)(tau_channel(sigma_t, c)), walked, (floatW)(tau_channel(*tau, c)));
+  *tau += sigma_t * lanes_sum(integral);
+#endif
+}
+
 // Gains of the segments; moves *tau, that of medium m, past them.
 static inline void stretch_gains(const Scene* scene, Stretch* s, int m, tau_t sigma_t, tau_t* tau,
                                  MediumResult* result) {
-  float before[TAU_CHANNELS][W];
+  floatW before[TAU_CHANNELS];
+  stretch_before(scene, s, sigma_t, tau, before);
+#if BRUME_MEDIA == 2
+  float others[TAU_CHANNELS][W];
   for (int i = 0; i < W; ++i) {
-    tau_t here = *tau;
-    if (s->integral[i] > 0.0f) here += stretch_others(scene, s, m, i, result);
-    for (int c = 0; c < TAU_CHANNELS; ++c) before[c][i] = tau_channel(here, c);
-    *tau += sigma_t * s->integral[i];
-#if BRUME_ROULETTE
-    if (s->integral[i] > 0.0f && !roulette_survives(scene, &s->walk, walk_id(s->medium, s->at, i), tau)) {
-      for (int k = i + 1; k < W; ++k)
-        for (int c = 0; c < TAU_CHANNELS; ++c) before[c][k] = 0.0f;
-      stretch_cut(s, i + 1);
-      break;
-    }
-#endif
+    tau_t here = (tau_t)(0.0f);
+    if (s->integral[i] > 0.0f) here = stretch_others(scene, s, m, i, result);
+    for (int c = 0; c < TAU_CHANNELS; ++c) others[c][i] = tau_channel(here, c);
   }
+  for (int c = 0; c < TAU_CHANNELS; ++c) before[c] += lanes_load(others[c]);
+#endif
   const floatW integral = lanes_load(s->integral);
-  for (int c = 0; c < TAU_CHANNELS; ++c)
-    s->gain[c] = segment_gain(scene, tau_channel(sigma_t, c), integral, lanes_load(before[c]));
+  for (int c = 0; c < TAU_CHANNELS; ++c) s->gain[c] = segment_gain(scene, tau_channel(sigma_t, c), integral, before[c]);
 }
 
 #if BRUME_TRACKING

@@ -39,6 +39,7 @@ static inline void cells_fill(const Scene* scene, const Medium* medium, const Me
     d->s = s;
   }
   out->count = n;
+  segments_pad(out);
 }
 
 #endif

@@ -13,6 +13,7 @@ static inline void homogeneous_fill(Steps* s, Segments* out) {
 #endif
   }
   out->count = n;
+  segments_pad(out);
 }
 
 static inline floatW homogeneous_integral(const Medium* medium, const Segments* at) {

@@ -9,7 +9,8 @@ static inline floatW march_integral(const Medium* medium, __global const voxel_t
   const floatW density = medium->interpolation == INTERPOLATION_NEAREST
                              ? density_nearest(voxels, ray, at, place, REACH_BRICK)
                              : density_trilinear(voxels, ray, at, place, REACH_BRICK);
-  return density * lanes_load(at->size);
+  const floatW size = lanes_load(at->size);
+  return lanes_select((floatW)(0.0f), density * size, size > 0.0f);
 }
 
 #endif

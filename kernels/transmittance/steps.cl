@@ -1,5 +1,5 @@
-// Placement of the marchers: n equal steps over the whole stretch inside the medium, each sampled once; those sampled in an
-// empty brick are skipped without being touched.
+// Placement of the marchers: n equal steps over the whole stretch inside the medium, each sampled once, W side by side: which
+// brick a sample lies in follows from where it is, and only empty stretches are walked through.
 #ifndef BRUME_TRANSMITTANCE_STEPS_CL
 #define BRUME_TRANSMITTANCE_STEPS_CL
 #include "lib/dda.cl"
@@ -29,40 +29,70 @@ static inline Steps steps_begin(const Medium* medium, const MediumRay* ray, Rand
   return s;
 }
 
-static inline float steps_place(const Steps* s) {
-  float share = s->share;
+// s of the samples of these steps.
+static inline floatW steps_place(const Steps* s, floatW number) {
+  floatW share = (floatW)(s->share);
 #if BRUME_JITTER
-  if (s->jitter > 0.0f) share = mad_exact(s->jitter, random_at(&s->random, (uint)s->next, RANDOM_PLACE), share);
+  if (s->jitter > 0.0f) {
+    float random[W];
+    for (int i = 0; i < W; ++i) random[i] = random_at(&s->random, (uint)(s->next + i), RANDOM_PLACE);
+    share = mad_exact((floatW)(s->jitter), lanes_load(random), share);
+  }
 #endif
-  return ((float)s->next + share) * s->size;
+  return (number + share) * s->size;
 }
 
-static inline void steps_fill(const Scene* scene, const Medium* medium, Dda* d, Steps* s, Segments* out) {
+static inline floatW steps_brick(floatW place, float origin, float dir, int bricks) {
+  const floatW p = mad_exact(place, (floatW)(dir), (floatW)(origin));
+  return fmin(fmax(floor(p * (1.0f / BRICK_CELLS)), (floatW)(0.0f)), (floatW)((float)(bricks - 1)));
+}
+
+// The first step worth a look after W steps from `next` on were all in empty bricks: the one in which the next stored brick begins,
+// or the one before.
+static inline int steps_skip(const Scene* scene, const Medium* medium, const MediumRay* ray, const Steps* s) {
+  Dda d = dda_begin(medium, ray, (float)(s->next + W - 1) * s->size);
+  if (!dda_next_brick(scene, medium, &d)) return s->count;
+  return max(s->next + W, (int)(d.s / s->size) - 1);
+}
+
+static inline void steps_fill(const Scene* scene, const Medium* medium, const MediumRay* ray, Steps* s, Segments* out) {
   out->count = 0;
-  while (out->count < W && s->next < s->count) {
-    const float place = steps_place(s);
-    if (place < d->s && d->begun) {  // in the empty stretch that was skipped
-      ++s->next;
-    } else if (place < d->brick_end) {
-      const int i = out->count++;
-      out->place[i] = place;
-      out->size[i] = s->size;
-      dda_brick_store(d, i, out);
-      out->x[i] = d->x.brick * BRICK_CELLS;
-      out->y[i] = d->y.brick * BRICK_CELLS;
-      out->z[i] = d->z.brick * BRICK_CELLS;
-#if BRUME_RANDOM
-      out->id[i] = (uint)s->next;
-#endif
-      ++s->next;
-    } else {
-      d->s = d->brick_end;
-      if (!dda_next_brick(scene, medium, d)) {
-        s->next = s->count;
-      } else {
-        s->next = max(s->next, (int)(d->s / s->size) - 1);  // the step in which the brick begins, or the one before
-      }
+  while (s->next < s->count) {
+    const floatW number = (floatW)((float)s->next) + lanes_iota(), place = steps_place(s, number);
+    const floatW bx = steps_brick(place, ray->origin.x, ray->dir.x, medium->brick_nx);
+    const floatW by = steps_brick(place, ray->origin.y, ray->dir.y, medium->brick_ny);
+    const floatW bz = steps_brick(place, ray->origin.z, ray->dir.z, medium->brick_nz);
+    const intW x = lanes_to_int(bx), y = lanes_to_int(by), z = lanes_to_int(bz);
+    const intW index = medium->brick_offset + (z * medium->brick_ny + y) * medium->brick_nx + x;
+    const intW entry = lanes_gather_int(scene->bricks, index);
+    const intW used = (number < (floatW)((float)s->count)) & (entry != (intW)(BRICK_EMPTY));
+    if (!lanes_any(used)) {
+      s->next = steps_skip(scene, medium, ray, s);
+      continue;
     }
+    // A lane that is not used looks into brick 0, for nothing.
+    const intW brick = lanes_select((intW)(0), entry, used);
+    lanes_store(place, out->place);
+    lanes_store(lanes_select((floatW)(0.0f), (floatW)(s->size), used), out->size);
+    lanes_store(brick * BRICK_VALUES - BRICK_CELLS * brick_stride(x, y, z), out->base);
+    lanes_store(bx * BRICK_CELLS, out->x);
+    lanes_store(by * BRICK_CELLS, out->y);
+    lanes_store(bz * BRICK_CELLS, out->z);
+    out->count = (int)lanes_sum(lanes_select((floatW)(0.0f), (floatW)(1.0f), used));
+#if BRUME_STORAGE == 2
+    int at[W];
+    lanes_store(index, at);
+    for (int i = 0; i < W; ++i) {
+      const float2 scale = brick_scale(scene, at[i]);
+      out->zero[i] = scale.x;
+      out->part[i] = scale.y;
+    }
+#endif
+#if BRUME_RANDOM
+    for (int i = 0; i < W; ++i) out->id[i] = (uint)(s->next + i);
+#endif
+    s->next += W;
+    return;
   }
 }
 

@@ -75,6 +75,7 @@ static inline void track_fill(const Scene* scene, const Medium* medium, Dda* d, 
     }
   }
   out->count = n;
+  segments_pad(out);
 }
 
 #endif

@@ -41,7 +41,7 @@ static inline Steps walk_steps(const Medium* medium, const MediumRay* ray, Rando
 // only_tau: nobody asks for light along the way.
 static inline Walk walk_begin(const Medium* medium, const MediumRay* ray, Random random, int only_tau) {
   Walk w;
-  w.dda = dda_begin(medium, ray);
+  if (!METHOD_MARCHES(medium)) w.dda = dda_begin(medium, ray, 0.0f);
   w.steps = walk_steps(medium, ray, random);
 #if BRUME_TRACKING
   w.track = track_begin(medium, random, METHOD_IS(medium, RESIDUAL_RATIO), only_tau);
@@ -54,7 +54,7 @@ static inline void walk_next(const Scene* scene, const Medium* medium, const Med
   if (METHOD_IS(medium, HOMOGENEOUS)) {
     homogeneous_fill(&w->steps, out);
   } else if (METHOD_MARCHES(medium)) {
-    steps_fill(scene, medium, &w->dda, &w->steps, out);
+    steps_fill(scene, medium, ray, &w->steps, out);
 #if BRUME_TRACKING
   } else if (METHOD_TRACKS(medium)) {
     track_fill(scene, medium, &w->dda, &w->track, out);
@@ -62,7 +62,6 @@ static inline void walk_next(const Scene* scene, const Medium* medium, const Med
   } else {
     cells_fill(scene, medium, ray, &w->dda, out);
   }
-  segments_pad(out);
 }
 
 // ∫ρ over each of the segments, in world length.

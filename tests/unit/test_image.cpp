@@ -10,7 +10,6 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "image/image.hpp"
 #include "image/image_decode.hpp"
@@ -286,20 +285,6 @@ TEST_F(ImageTest, WritabilityIsKnownBeforeRendering) {
   fs::permissions(folder_, fs::perms::owner_all);
   image_check_writable(folder_ / "a.png");
   EXPECT_THAT(files(), testing::ElementsAre("folder.png"));
-}
-
-TEST_F(ImageTest, AtomicFileIsAllOrNothing) {
-  atomic_write(folder_ / "a.txt", "old");
-  { AtomicFile dropped(folder_ / "a.txt"); }
-  EXPECT_THAT(files(), testing::ElementsAre("a.txt"));
-  fs::create_symlink("a.txt", folder_ / "link.txt");
-  atomic_write(folder_ / "link.txt", "new");
-  EXPECT_TRUE(fs::is_symlink(folder_ / "link.txt"));
-  std::string text;
-  std::ifstream(folder_ / "a.txt") >> text;
-  EXPECT_EQ(text, "new");
-  EXPECT_THAT(message_of<RuntimeError>([] { AtomicFile file("/dev/null"); }), HasSubstr("not a regular file"));
-  EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
 }  // namespace

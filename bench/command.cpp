@@ -137,7 +137,7 @@ void register_all(const DeviceInfo& device, const std::vector<Workload>& all, co
                                               mitsuba_benchmark(state, device, work, folder);
                                             }),
              true);
-    for (const char* name : {"march_midpoint_2/grid64", "march_midpoint_4/grid32"})
+    for (const char* name : {"march_midpoint_2/grid64", "march_midpoint_4/grid32", "march_midpoint_6/grid24"})
       manual(::benchmark::RegisterBenchmark(("process/" + work.name + "/" + name).c_str(),
                                             [&work, name, folder](::benchmark::State& state) {
                                               process_benchmark(state, scene_of(work, setting_of(name)), folder);

@@ -148,9 +148,13 @@ void Passes::run(const Batch& batch, std::vector<PassStats>& stats) {
   }
 }
 
-void Passes::read_film(std::vector<FilmPixel>& pixels) const {
-  pixels.resize(film_pixels_);
-  context_.queue().enqueueReadBuffer(film_, CL_TRUE, 0, film_pixels_ * sizeof(FilmPixel), pixels.data());
+void Passes::read_film(Film& film, const Frame& frame) const {
+  constexpr std::size_t BYTES = sizeof(FilmPixel);
+  const auto width = static_cast<std::size_t>(frame.crop_x1 - frame.crop_x0) * BYTES;
+  const auto rows = static_cast<std::size_t>(frame.crop_y1 - frame.crop_y0);
+  const auto x = static_cast<std::size_t>(frame.crop_x0) * BYTES, y = static_cast<std::size_t>(frame.crop_y0);
+  context_.queue().enqueueReadBufferRect(film_, CL_TRUE, {0, 0, 0}, {x, y, 0}, {width, rows, 1}, width, 0,
+                                         static_cast<std::size_t>(film.size().x) * BYTES, 0, film.pixels().data());
 }
 
 }  // namespace brume

@@ -14,13 +14,15 @@ namespace {
 // Small enough on a CPU that Ctrl-C answers soon, large enough on a GPU to fill it.
 constexpr int BATCH_CPU = 1 << 14, BATCH_GPU = 1 << 19;
 
-// Puts the rendered crop into its place in the film.
-void film_place(Film& film, const Frame& frame, const std::vector<FilmPixel>& crop) {
-  const auto width = static_cast<std::size_t>(frame.crop_x1 - frame.crop_x0);
-  for (std::size_t i = 0; i < crop.size(); ++i) {
-    const std::size_t x = frame.crop_x0 + i % width, y = frame.crop_y0 + i / width;
-    film.pixels()[y * film.size().x + x] = crop[i];
-  }
+// Adds up what the rendered crop of the film counted.
+void count_work(const Film& film, const Frame& frame, RenderStats& stats) {
+  for (auto y = static_cast<std::size_t>(frame.crop_y0); y < static_cast<std::size_t>(frame.crop_y1); ++y)
+    for (auto x = static_cast<std::size_t>(frame.crop_x0); x < static_cast<std::size_t>(frame.crop_x1); ++x) {
+      const FilmPixel& p = film.pixels()[y * static_cast<std::size_t>(film.size().x) + x];
+      stats.lookups += p.lookups;
+      stats.shadow_rays += p.shadow_rays;
+      stats.secondary_rays += p.secondary_rays;
+    }
 }
 
 }  // namespace
@@ -81,16 +83,10 @@ bool Renderer::render(Film& film, const Progress& progress) {
     }
   }
   s.stats.passes.insert(s.stats.passes.begin(), light_grids.begin(), light_grids.end());
-  std::vector<FilmPixel> crop;
-  s.passes->read_film(crop);
-  film_place(film, s.frame, crop);
+  s.passes->read_film(film, s.frame);
   s.stats.render_s += watch.seconds();
   s.stats.primary_rays = done;
-  for (const FilmPixel& p : crop) {
-    s.stats.lookups += p.lookups;
-    s.stats.shadow_rays += p.shadow_rays;
-    s.stats.secondary_rays += p.secondary_rays;
-  }
+  count_work(film, s.frame, s.stats);
   return done == s.total_rays();
 }
 

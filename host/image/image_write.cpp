@@ -49,7 +49,7 @@ void image_write_exr(const fs::path& file, int width, int height, const std::vec
   std::vector<std::string> names;
   names.reserve(count);
   for (const ImageChannel& channel : channels) names.push_back(channel.name);
-  ImageMetadata attributes{{"compression", "zip"}};
+  ImageMetadata attributes{{"compression", "zip:1"}};
   attributes.insert(attributes.end(), metadata.begin(), metadata.end());
   std::vector<float> values(pixels * count);
   for (std::size_t c = 0; c < count; ++c)

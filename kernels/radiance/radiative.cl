@@ -143,7 +143,7 @@ static inline void stretch_cut(Stretch* s, int i) {
 static inline floatW segment_gain(const Scene* scene, float sigma_t, floatW integral, floatW before) {
   const floatW own = sigma_t * integral;
   if (scene->frame->in_scattering == IN_SCATTERING_RECTANGLE) return exp(-(before + own)) * integral;
-  return sigma_t > 1e-20f ? exp(-before) * -expm1(-own) / sigma_t : exp(-before) * integral;
+  return sigma_t > 1e-20f ? exp(-before) * lanes_one_minus_exp(own) * (1.0f / sigma_t) : exp(-before) * integral;
 }
 
 // τ of medium m up to each segment; moves *tau past them all.

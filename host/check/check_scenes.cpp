@@ -146,7 +146,7 @@ constexpr SceneText SCENES[] = {
   "render": {"storage": "u8", "method": "dda_midpoint"}})"},
     {"fog_u8_march", R"({
   "camera": {"eye": [1.1, 0.9, 2.9], "target": [0, 0, 0], "vfov": 40}, "background": [0.1, 0.1, 0.1],
-  "lights": [{"type": "directional", "direction": [0.5, -1, -0.3], "irradiance": [1, 1, 1]}],
+  "lights": [{"type": "directional", "direction": [1, -0.2, 1], "irradiance": [1, 1, 1]}],
   "media": [{"density": {"type": "sphere", "of": {"type": "perlin", "resolution": [29, 28, 27], "scale": 3}}, "sigma_a": 0.6, "sigma_s": 2}],
   "render": {"storage": "u8", "method": "march_midpoint", "shadow": "grid", "light_grid": 16}})"},
     {"fog_jitter", R"({

@@ -8,6 +8,7 @@
 #include "shared/bvh.h"
 #include "shared/frame.h"
 #include "shared/light.h"
+#include "shared/light_grid.h"
 #include "shared/material.h"
 #include "shared/medium.h"
 #include "shared/method.h"
@@ -38,11 +39,12 @@ struct FlatScene {
   std::vector<float> brick_ranges;
   std::vector<float> voxels;  // as stored: rounded where `storage` is not f32
   int storage = STORAGE_F32;
-  std::vector<unsigned char> packed;  // the voxels as devices read them; empty for f32
-  double storage_error = 0;           // largest |stored - given| over the largest density
-  bool color_tau = false;             // some medium's sigma_t differs between channels: τ has three
-  unsigned draws = 0;                 // bit DRAWS_x of every method in use
-  std::int64_t light_entries = 0;     // of all light grids together, per channel of τ
+  std::vector<unsigned char> packed;   // the voxels as devices read them; empty for f32
+  double storage_error = 0;            // largest |stored - given| over the largest density
+  bool color_tau = false;              // some medium's sigma_t differs between channels: τ has three
+  unsigned draws = 0;                  // bit DRAWS_x of every method in use
+  std::vector<LightGrid> light_grids;  // of each medium that has them, one per light
+  std::int64_t light_entries = 0;      // of all light grids together, per channel of τ
 
   int method = 0;  // Method, resolved: never auto
   double exposure = 0;

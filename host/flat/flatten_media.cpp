@@ -113,27 +113,6 @@ double longest_side(const LoadedMedium& m) {
   return longest;
 }
 
-// One point per `spacing` along each side of what is occupied, the longest side in render.light_grid parts.
-void light_grid_size(const SceneDesc& desc, const LoadedMedium& loaded, Medium& medium, FlatScene& scene) {
-  // a step of the lattice is a step in cell space
-  const dvec3 size(medium.hi.x - medium.lo.x, medium.hi.y - medium.lo.y, medium.hi.z - medium.lo.z);
-  const dvec3 sides(glm::length(dvec3(loaded.world_from_lattice[0])) * size.x,
-                    glm::length(dvec3(loaded.world_from_lattice[1])) * size.y,
-                    glm::length(dvec3(loaded.world_from_lattice[2])) * size.z);
-  const double spacing = std::max({sides.x, sides.y, sides.z}) / desc.render.light_grid;
-  int* const points[] = {&medium.light_nx, &medium.light_ny, &medium.light_nz};
-  for (int axis = 0; axis < 3; ++axis)
-    *points[axis] = 1 + std::max(1, static_cast<int>(std::ceil(sides[axis] / spacing - 1e-6)));
-  medium.light_offset = static_cast<int>(scene.light_entries);
-  scene.light_entries +=
-      static_cast<std::int64_t>(desc.lights.size()) * medium.light_nx * medium.light_ny * medium.light_nz;
-  constexpr std::int64_t ENTRIES_MAX = 0x7fffffff / 3;  // kernels count all channels in an int
-  if (scene.light_entries > ENTRIES_MAX)
-    throw InputError(desc.file.string() + ": /render/light_grid: " + std::to_string(desc.render.light_grid) +
-                     " makes " + std::to_string(scene.light_entries) +
-                     " entries over all media and lights; allowed are " + std::to_string(ENTRIES_MAX));
-}
-
 // The rate at which trackers collide, per density: the largest extinction. A medium that only glows has none: eight collisions on
 // the longest way through its densest part then, else its light would never be sampled.
 double track_sigma_of(const LoadedMedium& m, float density_max) {
@@ -147,12 +126,6 @@ float density_max_of(const FlatScene& scene, std::size_t first_brick) {
   for (std::size_t i = 2 * first_brick + 1; i < scene.brick_ranges.size(); i += 2)
     max = std::max(max, scene.brick_ranges[i]);
   return max;
-}
-
-// A grid pays where a ray to the light is a walk through voxels.
-bool wants_light_grid(const SceneDesc& desc, const LoadedMedium& m) {
-  const dvec3& s = m.desc->sigma_s;
-  return desc.render.shadow == SHADOW_GRID && !m.is_constant && !desc.lights.empty() && std::max({s.x, s.y, s.z}) > 0;
 }
 
 Medium medium_flatten(const SceneDesc& desc, const LoadedMedium& loaded, FlatScene& scene) {
@@ -184,7 +157,7 @@ Medium medium_flatten(const SceneDesc& desc, const LoadedMedium& loaded, FlatSce
   }
   medium.cell_from_world = affine(cell_from_world);
   medium.world_from_cell = affine(glm::inverse(cell_from_world));
-  if (wants_light_grid(desc, loaded)) light_grid_size(desc, loaded, medium, scene);
+  light_grids_append(desc, medium, scene);
   return medium;
 }
 

@@ -51,4 +51,8 @@ void voxels_pack(FlatScene& scene, int storage);
 // Appends the bricks of a grid: entries, ranges and samples (layout: shared/medium.h); fills in the medium's geometry.
 void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene);
 
+// The light grids of a medium to which they pay, one per light (shared/light_grid.h). Needs the medium's geometry and the lights.
+// Throws InputError where they have more entries than kernels count.
+void light_grids_append(const SceneDesc& desc, Medium& medium, FlatScene& scene);
+
 }  // namespace brume

@@ -38,17 +38,17 @@ struct Segment {
 // S(m), and into shadow_key the lights that a surface keeps from m.
 dvec3 source_at(const Context& context, const Segment& at, const RayD& ray, Scattered& result) {
   const Medium& medium = context.scene.media[static_cast<std::size_t>(at.medium)];
-  const LightGrid& grid = context.light_grids[static_cast<std::size_t>(at.medium)];
+  const LightDepths& depths = context.light_depths[static_cast<std::size_t>(at.medium)];
   dvec3 source(0), tau(0);
   if (vec_promote(medium.sigma_s) == dvec3(0)) return source;
   const dvec3 point = ray.at(at.t);
   for (std::size_t i = 0; i < context.scene.lights.size(); ++i) {
-    if (!grid.tau.empty()) {
-      tau = light_grid_tau(grid, medium, i, point);
+    if (!depths.tau.empty()) {
+      tau = light_grid_tau(depths, light_grid_of(context.scene, medium, i), medium, i, point);
       ++result.lookups;
     }
     const Arrival arrival =
-        light_arrival(context, i, point, point, at.random, result.lookups, grid.tau.empty() ? nullptr : &tau);
+        light_arrival(context, i, point, point, at.random, result.lookups, depths.tau.empty() ? nullptr : &tau);
     if (!arrival.light.shines()) continue;
     if (arrival.blocked) result.shadow_key += static_cast<uint>(i + 1);
     source += arrival.irradiance * phase_eval(medium.phase, medium.g, glm::dot(arrival.light.travel, -ray.dir));
@@ -157,7 +157,7 @@ dvec3 media_tau(const Context& context, const RayD& ray, double t_max, const Ran
 Context::Context(const FlatScene& flat, const Options& options)
     : scene(flat), bounds(flat), nodes(gauss_legendre(options.scatter_order)) {
   for (const Medium& medium : flat.media)
-    light_grids.push_back(medium.light_nx > 0 && !exact() ? light_grid_make(*this, medium) : LightGrid{});
+    light_depths.push_back(medium.light_grids > 0 && !exact() ? light_grids_make(*this, medium) : LightDepths{});
 }
 
 Arrival light_arrival(const Context& context, std::size_t index, const dvec3& point, const dvec3& ray_origin,

@@ -18,9 +18,9 @@ struct Options {
   int threads = 0;  // 0: as many as the machine has
 };
 
-// τ of all media from the points of a medium's light grid to each light (shared/medium.h).
-struct LightGrid {
-  std::vector<dvec3> tau;  // [light · points + point]
+// τ of all media from the points of a medium's light grids to each light (shared/light_grid.h).
+struct LightDepths {
+  std::vector<std::vector<dvec3>> tau;  // [light][point]
 };
 
 // What all samples share.
@@ -29,8 +29,8 @@ struct Context {
 
   const FlatScene& scene;
   TriangleBounds bounds;
-  std::vector<QuadratureNode> nodes;   // empty for the segment rule
-  std::vector<LightGrid> light_grids;  // one per medium, empty where light is traced
+  std::vector<QuadratureNode> nodes;      // empty for the segment rule
+  std::vector<LightDepths> light_depths;  // one per medium, empty where light is traced
   bool exact() const { return !nodes.empty(); }
   int method(const Medium& medium) const { return exact() ? method_exact(medium) : medium.method; }
 };

@@ -42,16 +42,22 @@ Passes::Passes(Context& context, const FlatScene& scene, const std::string& opti
       film_pixels_(film_pixels),
       group_(std::min(context.device().cpu ? GROUP_CPU : GROUP_GPU, context.device().max_group)) {
   create_buffers(batch_rays, scene.lights.size());
-  for (std::size_t m = 0; m < scene.media.size(); ++m)
-    if (const Medium& medium = scene.media[m]; medium.light_nx > 0)
-      light_grids_.push_back({static_cast<cl_int>(m), static_cast<cl_uint>(scene.lights.size()) * medium.light_nx *
-                                                          medium.light_ny * medium.light_nz});
+  plan_light_grids(scene);
   upload_seconds_ = watch_.lap();
   create_kernels(options);
   // PoCL compiles a kernel at its first launch: an empty batch moves that out of the render time.
   std::vector<PassStats> unused;
   run({0, 0, 0, 1}, unused);
   build_seconds_ = watch_.lap();
+}
+
+void Passes::plan_light_grids(const FlatScene& scene) {
+  for (std::size_t m = 0; m < scene.media.size(); ++m)
+    for (std::size_t l = 0; scene.media[m].light_grids > 0 && l < scene.lights.size(); ++l) {
+      const LightGrid& grid = scene.light_grids[static_cast<std::size_t>(scene.media[m].light_grids - 1) + l];
+      const int items = grid.columns_u * grid.columns_v * (grid.reach > 0 ? 1 : grid.nk);
+      light_grids_.push_back({static_cast<cl_int>(m), static_cast<cl_int>(l), static_cast<cl_uint>(items)});
+    }
 }
 
 void Passes::create_buffers(std::size_t batch_rays, std::size_t lights) {
@@ -73,7 +79,7 @@ void Passes::create_kernels(const std::string& options) {
   }
   if (light_grids_.empty()) return;
   light_grid_kernel_ = cl::Kernel(program, "light_grid");
-  launch_light_grid({0, 0});  // compiled now, not during the render
+  launch_light_grid({0, 0, 0});  // compiled now, not during the render
 }
 
 // Sets every pass's own arguments.
@@ -102,6 +108,7 @@ cl::Event Passes::launch(const cl::Kernel& kernel, std::size_t items) {
 cl::Event Passes::launch_light_grid(const LightGridWork& work) {
   cl_uint argument = scene_.set_arguments(light_grid_kernel_);
   light_grid_kernel_.setArg(argument++, work.medium);
+  light_grid_kernel_.setArg(argument++, work.light);
   light_grid_kernel_.setArg(argument++, work.items);
   light_grid_kernel_.setArg(argument++, scene_.light_tau());
   const cl::Event event = launch(light_grid_kernel_, work.items);

@@ -34,7 +34,7 @@ class Passes {
 
  private:
   struct LightGridWork {
-    cl_int medium;
+    cl_int medium, light;
     cl_uint items;
   };
   enum Id { PRIMARY_RAYS, TRAVERSE_DDA, SHADOW_TRANSMITTANCE, SHADE, SECONDARY_RAYS, ACCUMULATE, PASS_COUNT };
@@ -42,6 +42,7 @@ class Passes {
     return id == SHADOW_TRANSMITTANCE ? has_surfaces_ : (id == SECONDARY_RAYS ? has_specular_ : true);
   }
   void create_kernels(const std::string& options);
+  void plan_light_grids(const FlatScene& scene);
   void create_buffers(std::size_t batch_rays, std::size_t lights);
   void bind(const Batch& batch);
   cl::Event launch(const cl::Kernel& kernel, std::size_t items);

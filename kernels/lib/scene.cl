@@ -7,6 +7,7 @@
 #include "shared/bvh.h"
 #include "shared/frame.h"
 #include "shared/light.h"
+#include "shared/light_grid.h"
 #include "shared/material.h"
 #include "shared/medium.h"
 #include "shared/ray.h"
@@ -28,6 +29,7 @@ typedef struct {
   __global const int* bricks;
   __global const float* ranges;
   __global const voxel_t* voxels;
+  __global const LightGrid* light_grids;
   __global const float* light_tau;
 } Scene;
 
@@ -37,12 +39,12 @@ typedef struct {
       __global const Triangle *triangles, __global const float *bvh_nodes, __global const int *bvh_links, \
       __global const float *bvh_blocks, __global const int *bvh_ids, __global const Medium *media,        \
       __global const int *bricks, __global const float *ranges, __global const voxel_t *voxels,           \
-      __global const float *light_tau
+      __global const LightGrid *light_grids, __global const float *light_tau
 
 #define SCENE_PACK                                                                                                   \
   {                                                                                                                  \
     frame, lights, materials, textures, texels, shapes, triangles, bvh_nodes, bvh_links, bvh_blocks, bvh_ids, media, \
-        bricks, ranges, voxels, light_tau                                                                            \
+        bricks, ranges, voxels, light_grids, light_tau                                                               \
   }
 
 #endif

@@ -13,33 +13,55 @@ static inline int bricks_near(const Scene* scene, const Medium* m, float3 p, flo
   return 0;
 }
 
-// Item = point × light of one medium, points fastest.
-__kernel void light_grid(SCENE_ARGS, int medium, uint count, __global float* out) {
-  if ((uint)get_global_id(0) >= count) return;
+// Coordinate of a column in plane k, moved into the box.
+static inline float light_grid_inside(int column, float slope, int k, int n, float margin, int* moved) {
+  const float begin = slope * (float)k + margin, end = begin + (float)(n - 1) - 3.0f * margin;
+  const float inside = clamp((float)column, begin + LIGHT_GRID_INSET, end - LIGHT_GRID_INSET);
+  *moved |= inside != (float)column && slope != 0.0f;
+  return inside;
+}
+
+// Item = column, of a light without columns = point. Of a column the first point in the box is traced to the light, each other one to
+// the point before.
+__kernel void light_grid(SCENE_ARGS, int medium, int light_index, uint count, __global float* out) {
+  const uint item = (uint)get_global_id(0);
+  if (item >= count) return;
   const Scene scene = SCENE_PACK;
   const Medium m = media[medium];
-  const int points = light_grid_points(&m), light_index = (int)get_global_id(0) / points,
-            i = (int)get_global_id(0) % points;
-  const float3 lo = vec_unpack(m.lo), hi = vec_unpack(m.hi);
-  const float3 spacing =
-      (hi - lo) / (float3)((float)(m.light_nx - 1), (float)(m.light_ny - 1), (float)(m.light_nz - 1));
-  const float3 at =
-      (float3)((float)(i % m.light_nx), (float)(i / m.light_nx % m.light_ny), (float)(i / (m.light_nx * m.light_ny)));
-  const float3 p = lo + spacing * at;
+  const LightGrid grid = light_grids[m.light_grids - 1 + light_index];
+  const int columns = grid.columns_u * grid.columns_v, column = (int)item % columns;
+  const int u = grid.first_u + column % grid.columns_u, v = grid.first_v + column / grid.columns_u;
+  const int along = grid.reach > 0.0f, planes = along ? grid.nk : 1;
+  const float margin = along ? 1.0f : 0.0f;
+  const Random random = random_begin(frame, (uint)column, (uint)light_index);
+  const float3 near = fabs(affine_dir(&grid.cell_from_grid, (float3)(1.001f)));
   tau_t tau = (tau_t)(0.0f);
-  if (bricks_near(&scene, &m, p, spacing * 1.001f)) {
-    const float3 point = affine_point(&m.world_from_cell, p);
+  int known = 0;  // tau is that of the point before, behind which this one lies along the light
+  uint lookups = 0;
+  for (int i = 0; i < planes; ++i) {
+    const int k = along ? (grid.from_first ? i : grid.nk - 1 - i) : (int)item / columns;
+    const int iu = u - (int)floor(grid.slope_u * (float)k), iv = v - (int)floor(grid.slope_v * (float)k);
+    if (iu < 0 || iu >= grid.nu || iv < 0 || iv >= grid.nv) {
+      known = 0;
+      continue;
+    }
+    int moved = 0;
+    const float3 at = (float3)(light_grid_inside(u, grid.slope_u, k, grid.nu, margin, &moved),
+                               light_grid_inside(v, grid.slope_v, k, grid.nv, margin, &moved), (float)k);
+    const float3 p = affine_point(&grid.cell_from_grid, at), point = affine_point(&m.world_from_cell, p);
     const LightSample light = light_sample(lights, light_index, point);
-    uint lookups = 0;
-    if (vec_max(light.irradiance) > 0.0f)
-      tau = media_tau(&scene, -1, point, -light.travel, light.distance, random_begin(frame, (uint)i, (uint)light_index),
-                      &lookups);
-  }
+    known = known && !moved;
+    if (!known) tau = (tau_t)(0.0f);
+    if (vec_max(light.irradiance) > 0.0f && (along || bricks_near(&scene, &m, p, near)))
+      tau += media_tau(&scene, -1, point, -light.travel, known ? grid.reach : light.distance,
+                       random_stream(random, (uint)k), &lookups);
+    known = along && !moved;
 #if BRUME_COLOR_TAU
-  const float channels[3] = {tau.x, tau.y, tau.z};
+    const float channels[3] = {tau.x, tau.y, tau.z};
 #else
-  const float channels[1] = {tau};
+    const float channels[1] = {tau};
 #endif
-  for (int c = 0; c < TAU_CHANNELS; ++c)
-    out[m.light_offset * TAU_CHANNELS + (c * frame->light_count + light_index) * points + i] = channels[c];
+    for (int c = 0; c < TAU_CHANNELS; ++c)
+      out[light_grid_first(&grid, c) + (k * grid.nv + iv) * grid.nu + iu] = channels[c];
+  }
 }

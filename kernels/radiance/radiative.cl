@@ -69,12 +69,11 @@ static inline Colors stretch_arriving(const Scene* scene, const Stretch* s, int 
 
 static inline Colors sources_from_grid(const Scene* scene, const Stretch* s, MediumResult* result) {
   Colors sum = {(floatW)(0.0f), (floatW)(0.0f), (floatW)(0.0f)};
-  const int lights = scene->frame->light_count;
-  const LightGridPlace place = light_grid_place(s->medium, s->ray, lanes_load(s->at->place));
-  for (int l = 0; l < lights; ++l) {
+  for (int l = 0; l < scene->frame->light_count; ++l) {
+    const LightGrid grid = scene->light_grids[s->medium->light_grids - 1 + l];
+    const LightGridPlace place = light_grid_place(&grid, s->ray, lanes_load(s->at->place));
     floatW t[TAU_CHANNELS];
-    for (int c = 0; c < TAU_CHANNELS; ++c)
-      t[c] = exp(-light_grid_tau(s->medium, scene->light_tau, &place, lights, l, c));
+    for (int c = 0; c < TAU_CHANNELS; ++c) t[c] = exp(-light_grid_tau(&grid, scene->light_tau, &place, c));
     result->lookups += (uint)s->at->count;
     const Colors arriving = stretch_arriving(scene, s, l, result);
     sum.x += arriving.x * t[0];
@@ -109,7 +108,7 @@ static inline Colors sources_traced(const Scene* scene, const Stretch* s, Medium
 // S of each segment: Σ over lights of E · V · T · p.
 static inline Colors stretch_sources(const Scene* scene, const Stretch* s, MediumResult* result) {
 #if BRUME_LIGHT_GRID
-  if (s->medium->light_nx > 0) return sources_from_grid(scene, s, result);
+  if (s->medium->light_grids > 0) return sources_from_grid(scene, s, result);
 #endif
   return sources_traced(scene, s, result);
 }

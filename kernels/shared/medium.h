@@ -19,9 +19,6 @@ enum MediumRegion { REGION_BOX, REGION_SPHERE };  // sphere: the ellipsoid inscr
 // bricks:  ints, entry of brick (bx,by,bz) at brick_offset + (bz*brick_ny + by)*brick_nx + bx: number b of its stored samples,
 //          which begin at voxels[b * BRICK_VALUES], or BRICK_EMPTY. Bricks of one constant value share one stored brick.
 // ranges:  2 floats (min, max of the samples) per brick at the same index.
-// Light grid: optical depths of all media from light_nx × light_ny × light_nz points to each light. The points divide
-// [lo, hi] evenly, the outermost lie on it; depths are interpolated trilinearly. One entry per channel of τ (1 when all media
-// are grey, else 3), light and point: at light_offset · channels + ((channel · lights + light) · points + point), x fastest.
 typedef struct {
   Affine cell_from_world;
   Affine world_from_cell;
@@ -41,11 +38,9 @@ typedef struct {
   int is_constant;                   // no bricks: the density is constant_density all over the region
   float step;                        // world length of a marching step for this medium
   int method;                        // Method, resolved: never auto
-  int light_nx, light_ny, light_nz;  // at least 2 each; all 0: light is traced
-  int light_offset;
+  int light_grids;    // 0: light is traced; else 1 + the number of the first of its light grids, one per light
   float track_sigma;  // extinction per density at which trackers collide: the largest σt, or what makes a glow seen
-  float pad;
 } Medium;
-BRUME_LAYOUT(Medium, 240);
+BRUME_LAYOUT(Medium, 224);
 BRUME_SHARED_END
 #endif

@@ -21,6 +21,13 @@ static inline float light_grid_inside(int column, float slope, int k, int n, flo
   return inside;
 }
 
+// The box about one cell of the grid, in cell space.
+static inline float3 light_grid_cell_size(const LightGrid* grid) {
+  const float* m = grid->cell_from_grid.m;
+  return (float3)(fabs(m[0]) + fabs(m[1]) + fabs(m[2]), fabs(m[4]) + fabs(m[5]) + fabs(m[6]),
+                  fabs(m[8]) + fabs(m[9]) + fabs(m[10]));
+}
+
 // Item = column, of a light without columns = point. Of a column the first point in the box is traced to the light, each other one to
 // the point before.
 __kernel void light_grid(SCENE_ARGS, int medium, int light_index, uint count, __global float* out) {
@@ -34,7 +41,7 @@ __kernel void light_grid(SCENE_ARGS, int medium, int light_index, uint count, __
   const int along = grid.reach > 0.0f, planes = along ? grid.nk : 1;
   const float margin = along ? 1.0f : 0.0f;
   const Random random = random_begin(frame, (uint)column, (uint)light_index);
-  const float3 near = fabs(affine_dir(&grid.cell_from_grid, (float3)(1.001f)));
+  const float3 near = light_grid_cell_size(&grid) * 1.001f;
   tau_t tau = (tau_t)(0.0f);
   int known = 0;  // tau is that of the point before, behind which this one lies along the light
   uint lookups = 0;
@@ -52,7 +59,8 @@ __kernel void light_grid(SCENE_ARGS, int medium, int light_index, uint count, __
     const LightSample light = light_sample(lights, light_index, point);
     known = known && !moved;
     if (!known) tau = (tau_t)(0.0f);
-    if (vec_max(light.irradiance) > 0.0f && (along || bricks_near(&scene, &m, p, near)))
+    // Points on which no other builds are left out where nothing is looked up.
+    if (vec_max(light.irradiance) > 0.0f && ((along && !moved) || bricks_near(&scene, &m, p, near)))
       tau += media_tau(&scene, -1, point, -light.travel, known ? grid.reach : light.distance,
                        random_stream(random, (uint)k), &lookups);
     known = along && !moved;

@@ -195,6 +195,7 @@ void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media
   };
   scene.color_tau = !std::all_of(scene.media.begin(), scene.media.end(), grey);
   for (const Medium& m : scene.media) scene.draws |= 1u << method_draws(m.method);
+  scene.frame.takes_ends = !((scene.draws >> DRAWS_COLLISIONS) & 1u);
   scene.frame.medium_count = static_cast<int>(scene.media.size());
   scene.method = media.empty() ? METHOD_HOMOGENEOUS : media.front().method;
 }

@@ -40,7 +40,7 @@ Interval ellipsoid_interval(const dvec3& lo, const dvec3& hi, const RayD& ray, I
 const float* brick_of(const FlatScene& scene, const Medium& medium, const ivec3& cell) {
   const ivec3 brick = cell / BRICK_CELLS;
   const int index = (brick.z * medium.brick_ny + brick.y) * medium.brick_nx + brick.x;
-  const int entry = scene.bricks[static_cast<std::size_t>(medium.brick_offset + index)];
+  const int entry = scene.bricks[static_cast<std::size_t>(medium.brick_offset) + static_cast<std::size_t>(index)];
   return entry == BRICK_EMPTY ? nullptr : &scene.voxels[static_cast<std::size_t>(entry) * BRICK_VALUES];
 }
 
@@ -203,6 +203,10 @@ double optical_depth(const FlatScene& scene, int medium, const RayD& ray, double
   });
   if (lookups) *lookups += count * segment_lookups(m, method);
   return depth;
+}
+
+double density_length_gauss2(const FlatScene& scene, const Medium& medium, const RayD& world, const SegmentD& segment) {
+  return dda_rule(scene, medium, ray_to_cells(medium, world), segment, METHOD_DDA_GAUSS2);
 }
 
 int segment_lookups(const Medium& medium, int method) {

@@ -46,6 +46,9 @@ std::vector<SegmentD> segments(const FlatScene& scene, int medium, const RayD& r
 double optical_depth(const FlatScene& scene, int medium, const RayD& ray, double t_max, int method,
                      double* lookups = nullptr, const RandomStream& random = {});
 
+// ∫ρ dt by two-point Gauss over any piece of a segment within one cell: its t_begin, t_end and cell count.
+double density_length_gauss2(const FlatScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment);
+
 // Evaluations of the density that one segment of the method costs: 0 in a constant medium.
 int segment_lookups(const Medium& medium, int method);
 

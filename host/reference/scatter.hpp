@@ -42,6 +42,13 @@ dvec3 tau_of(const dvec3& transmittance);  // -log T per channel
 // τ per channel of all media over [0, t_max].
 dvec3 media_tau(const Context& context, const RayD& ray, double t_max, const RandomStream& random, double& lookups);
 
+// The same without one of them.
+dvec3 media_tau_beside(const Context& context, int medium, const RayD& ray, double t_max, const RandomStream& random,
+                       double& lookups);
+
+// As in the kernels: what is left is less than e^-24 in every channel.
+bool is_black(const dvec3& transmittance);
+
 // One light at a point. `ray_origin` is the point itself, or the point lifted off the surface on which it lies.
 struct Arrival {
   LightSample light;

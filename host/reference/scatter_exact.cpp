@@ -70,6 +70,22 @@ dvec3 pieces_tau(const Context& context, const std::vector<Piece>& pieces, doubl
   return tau;
 }
 
+constexpr double TAU_BLACK_D = 60;  // e^-60 of the light behind is no part of a sum in double
+
+// An interval in parts of at most unit optical depth, so that a few nodes see exp(-τ) as the smooth function it is.
+double parts_of(const dvec3& tau) { return std::clamp(std::ceil(std::max({tau.x, tau.y, tau.z})), 1.0, 4096.0); }
+
+// Adds what the pieces scatter and emit over [a, b] and moves result.tau past it.
+void interval_scatter(const Context& context, const RayD& ray, const std::vector<Piece>& pieces, double a, double b,
+                      Scattered& result) {
+  for (const QuadratureNode& node : context.nodes) {
+    const double t = a + (b - a) * node.x;
+    const dvec3 transmittance = transmittance_of(result.tau + pieces_tau(context, pieces, a, t));
+    result.radiance += (node.weight * (b - a)) * transmittance * source_of_all(context, ray, pieces, t, result);
+  }
+  result.tau += pieces_tau(context, pieces, a, b);
+}
+
 }  // namespace
 
 Scattered media_scatter_exact(const Context& context, const RayD& ray, double t_max) {
@@ -80,12 +96,11 @@ Scattered media_scatter_exact(const Context& context, const RayD& ray, double t_
     const double a = borders[i], b = borders[i + 1];
     pieces_at(context, ray, t_max, 0.5 * (a + b), pieces);
     if (pieces.empty()) continue;
-    for (const QuadratureNode& node : context.nodes) {
-      const double t = a + (b - a) * node.x;
-      const dvec3 transmittance = transmittance_of(result.tau + pieces_tau(context, pieces, a, t));
-      result.radiance += (node.weight * (b - a)) * transmittance * source_of_all(context, ray, pieces, t, result);
+    const double parts = parts_of(pieces_tau(context, pieces, a, b));
+    for (double part = 0; part < parts; ++part) {
+      if (std::min({result.tau.x, result.tau.y, result.tau.z}) > TAU_BLACK_D) return result;
+      interval_scatter(context, ray, pieces, a + (b - a) * (part / parts), a + (b - a) * ((part + 1) / parts), result);
     }
-    result.tau += pieces_tau(context, pieces, a, b);
   }
   return result;
 }

@@ -142,6 +142,11 @@ static inline floatW lanes_one_minus_exp(floatW x) {
   return lanes_select(1.0f - exp(-x), series, x < 0.5f);
 }
 
+// (1 - exp(-x)) / x for x >= 0, 1 at 0: the mean of exp(-t) over t in [0, x].
+static inline floatW lanes_mean_exp(floatW x) {
+  return lanes_select(lanes_one_minus_exp(x) / x, (floatW)(1.0f) - 0.5f * x, x < 1e-4f);
+}
+
 #define LOAD2_FLOAT(p) vload2(0, p)
 LANES_GATHER2(lanes_gather2, float, LOAD2_FLOAT)
 

@@ -48,7 +48,8 @@ static inline MediumRay medium_ray(const Medium* medium, float3 origin, float3 d
 // the stretch, or the first cell of its brick: the walk that fills them knows which, and says so as `reach` below.
 typedef struct {
   int count;  // how many have a length; those without lie last, but for the marchers' in empty bricks; 0 at the end
-  float place[W];  // s at which density and light are sampled: the middle, but for march_regular
+  float begin[W];  // s at which the segment begins
+  float place[W];  // s at which density and light are sampled: the middle, but for some marchers
   float size[W];   // world length; 0 beyond count
   int base[W];     // of the brick: the sample of cell (x, y, z) is at base + brick_stride(x, y, z)
   float x[W], y[W], z[W];
@@ -72,6 +73,7 @@ typedef struct {
 // Unused lanes get a size of 0 and a harmless place, so that all W can be computed.
 static inline void segments_pad(Segments* out) {
   for (int i = out->count; i < W; ++i) {
+    out->begin[i] = 0.0f;
     out->place[i] = 0.0f;
     out->size[i] = 0.0f;
     out->base[i] = 0;

@@ -76,6 +76,7 @@
 
 // The rest of a ray is dropped once τ exceeds this in every channel: less than e^-24 = 4e-11 of what lies behind.
 #define TAU_STOP 24.0f
-#define TAU_BLACK 1e4f  // nothing gets through: exp(-1e4) is 0
+#define TAU_BLACK 1e4f    // nothing gets through: exp(-1e4) is 0
+#define TAU_FINITE 1e30f  // differences of depths stay numbers
 
 #endif

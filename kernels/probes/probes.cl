@@ -129,7 +129,7 @@ PROBE(probe_integral) {
   const Medium medium = media[as_int(v[0])];
   const MediumRay ray = medium_ray(&medium, probe_load3(v + 1), probe_load3(v + 4), v[7]);
   uint lookups = 0;
-  out[item] = walk_total(&scene, &medium, &ray, random_begin(frame, item, 0), INFINITY, &lookups);
+  out[item] = walk_total(&scene, &medium, &ray, random_begin(frame, item, 0), 0.0f, &lookups);
 }
 
 // in: origin, direction, t_max. out: radiance and transmittance of all media

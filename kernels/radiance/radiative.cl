@@ -1,120 +1,10 @@
 // From ∫ρ to light: extinction per channel, transmittance through all media, in-scattering along a view ray.
 #ifndef BRUME_RADIANCE_RADIATIVE_CL
 #define BRUME_RADIANCE_RADIATIVE_CL
-#include "lib/light.cl"
-#include "phase/phase.cl"
-#include "radiance/light_grid.cl"
-#include "radiance/tau.cl"
-#include "shapes/shapes.cl"
-
-// RGB of every lane.
-typedef struct {
-  floatW x, y, z;
-} Colors;
-
-// One batch of segments along a view ray through medium m.
-typedef struct {
-  const Medium* medium;
-  const MediumRay* ray;
-  const Segments* at;
-  float3 origin, dir;         // world
-  Random walk;                // of the walk through this medium
-  float integral[W];          // ∫ρ over each segment; 0 where no light is asked for
-  floatW gain[TAU_CHANNELS];  // ∫ρT over each segment: what each unit of σs S + emission in it sends to the origin
-} Stretch;
-
-// Light l at segment i: E · V · p, and V into the key. 0 when nothing arrives.
-static inline float3 segment_arriving(const Scene* scene, const Stretch* s, int l, int i, float3* point,
-                                      LightSample* light, MediumResult* result) {
-  *point = vec_point(s->origin, s->dir, s->ray->t_begin + s->at->place[i]);
-  *light = light_sample(scene->lights, l, *point);
-  if (!(vec_max(light->irradiance) > 0.0f)) return (float3)(0.0f);
-  ++result->shadow_rays;
-  if (scene_occluded(scene, *point, -light->travel, light->distance)) {
-    result->shadow_key += (uint)(l + 1);
-    return (float3)(0.0f);
-  }
-  return light->irradiance * phase_eval(s->medium->phase, s->medium->g, light->travel, -s->dir);
-}
-
-#if BRUME_LIGHT_GRID
-// Light l at all segments: E · V · p.
-static inline Colors stretch_arriving(const Scene* scene, const Stretch* s, int l, MediumResult* result) {
-  Colors out;
-  float3 point;
-  LightSample light;
-#if !HAS_SURFACES
-  if (USES_LIGHT(DIRECTIONAL) && scene->lights[l].type == LIGHT_DIRECTIONAL) {  // the same everywhere
-    const float3 arriving = segment_arriving(scene, s, l, 0, &point, &light, result);
-    result->shadow_rays += (uint)(s->at->count - 1);
-    out.x = (floatW)(arriving.x);
-    out.y = (floatW)(arriving.y);
-    out.z = (floatW)(arriving.z);
-    return out;
-  }
-#endif
-  float x[W], y[W], z[W];
-  for (int i = 0; i < W; ++i) {
-    float3 arriving = (float3)(0.0f);
-    if (s->integral[i] > 0.0f) arriving = segment_arriving(scene, s, l, i, &point, &light, result);
-    x[i] = arriving.x;
-    y[i] = arriving.y;
-    z[i] = arriving.z;
-  }
-  out.x = lanes_load(x);
-  out.y = lanes_load(y);
-  out.z = lanes_load(z);
-  return out;
-}
-
-static inline Colors sources_from_grid(const Scene* scene, const Stretch* s, MediumResult* result) {
-  Colors sum = {(floatW)(0.0f), (floatW)(0.0f), (floatW)(0.0f)};
-  for (int l = 0; l < scene->frame->light_count; ++l) {
-    const LightGrid grid = scene->light_grids[s->medium->light_grids - 1 + l];
-    const LightGridPlace place = light_grid_place(&grid, s->ray, lanes_load(s->at->place));
-    floatW t[TAU_CHANNELS];
-    for (int c = 0; c < TAU_CHANNELS; ++c) t[c] = exp(-light_grid_tau(&grid, scene->light_tau, &place, c));
-    result->lookups += (uint)s->at->count;
-    const Colors arriving = stretch_arriving(scene, s, l, result);
-    sum.x += arriving.x * t[0];
-    sum.y += arriving.y * t[TAU_CHANNELS / 2];
-    sum.z += arriving.z * t[TAU_CHANNELS - 1];
-  }
-  return sum;
-}
-#endif
-
-static inline Colors sources_traced(const Scene* scene, const Stretch* s, MediumResult* result) {
-  float x[W], y[W], z[W];
-  for (int i = 0; i < W; ++i) {
-    float3 sum = (float3)(0.0f);
-    for (int l = 0; l < scene->frame->light_count; ++l) {
-      if (!(s->integral[i] > 0.0f)) continue;
-      float3 point;
-      LightSample light;
-      const float3 arriving = segment_arriving(scene, s, l, i, &point, &light, result);
-      if (!(vec_max(arriving) > 0.0f)) continue;
-      const Random random = random_stream(random_stream(s->walk, walk_id(s->medium, s->at, i)), STREAM_LIGHT + (uint)l);
-      sum += arriving * media_transmittance(scene, point, -light.travel, light.distance, random, &result->lookups);
-    }
-    x[i] = sum.x;
-    y[i] = sum.y;
-    z[i] = sum.z;
-  }
-  const Colors out = {lanes_load(x), lanes_load(y), lanes_load(z)};
-  return out;
-}
-
-// S of each segment: Σ over lights of E · V · T · p.
-static inline Colors stretch_sources(const Scene* scene, const Stretch* s, MediumResult* result) {
-#if BRUME_LIGHT_GRID
-  if (s->medium->light_grids > 0) return sources_from_grid(scene, s, result);
-#endif
-  return sources_traced(scene, s, result);
-}
+#include "radiance/sources.cl"
 
 // What medium m sends to the origin from these segments.
-static inline float3 stretch_radiance(const Scene* scene, const Stretch* s, MediumResult* result) {
+static inline float3 stretch_radiance(const Scene* scene, Stretch* s, MediumResult* result) {
   const float3 sigma_s = vec_unpack(s->medium->sigma_s), emission = vec_unpack(s->medium->emission);
   Colors source = {(floatW)(0.0f), (floatW)(0.0f), (floatW)(0.0f)};
   if (vec_max(sigma_s) > 0.0f) source = stretch_sources(scene, s, result);
@@ -123,37 +13,25 @@ static inline float3 stretch_radiance(const Scene* scene, const Stretch* s, Medi
                   lanes_sum((source.z * sigma_s.z + emission.z) * s->gain[TAU_CHANNELS - 1]));
 }
 
-// τ of the media beside m up to segment i.
-static inline tau_t stretch_others(const Scene* scene, const Stretch* s, int m, int i, MediumResult* result) {
-#if BRUME_MEDIA == 2
-  const Random random = random_stream(random_stream(s->walk, walk_id(s->medium, s->at, i)), STREAM_OTHERS);
-  return media_tau(scene, m, s->origin, s->dir, s->ray->t_begin + s->at->place[i], random, &result->lookups);
-#else
-  return (tau_t)(0.0f);
-#endif
-}
-
 // No light is asked for from segment i on.
-static inline void stretch_cut(Stretch* s, int i) {
+static inline void stretch_end_at(Stretch* s, int i) {
   for (; i < W; ++i) s->integral[i] = 0.0f;
 }
 
-// Segment rule: exact for constant light over the segment. An extinction below 1e-20 is none: the quotient would lose it.
-static inline floatW segment_gain(const Scene* scene, float sigma_t, floatW integral, floatW before) {
-  const floatW own = sigma_t * integral;
-  if (scene->frame->in_scattering == IN_SCATTERING_RECTANGLE) return exp(-(before + own)) * integral;
-  return sigma_t > 1e-20f ? exp(-before) * lanes_one_minus_exp(own) * (1.0f / sigma_t) : exp(-before) * integral;
+// ∫ρT over segments behind `before`: while T falls by `depth`, evenly with ∫ρ, it is ∫ρ times the mean of T.
+static inline floatW segment_gain(const Scene* scene, floatW integral, floatW before, floatW depth) {
+  if (scene->frame->in_scattering == IN_SCATTERING_RECTANGLE) return exp(-(before + depth)) * integral;
+  return exp(-before) * lanes_mean_exp(depth) * integral;
 }
 
-// τ of medium m up to each segment; moves *tau past them all.
+// τ of the medium up to each segment; moves *tau past them all.
 static inline void stretch_before(const Scene* scene, Stretch* s, tau_t sigma_t, tau_t* tau, floatW* before) {
 #if BRUME_ROULETTE
   float each[TAU_CHANNELS][W];
   for (int i = 0; i < W; ++i) {
     for (int c = 0; c < TAU_CHANNELS; ++c) each[c][i] = tau_channel(*tau, c);
     *tau += sigma_t * s->integral[i];
-    if (s->integral[i] > 0.0f && !roulette_survives(scene, &s->walk, walk_id(s->medium, s->at, i), tau))
-      stretch_cut(s, i + 1);
+    if (s->integral[i] > 0.0f && !roulette_survives(scene, &s->walk, s->id[i], tau)) stretch_end_at(s, i + 1);
   }
   for (int c = 0; c < TAU_CHANNELS; ++c) before[c] = lanes_load(each[c]);
 #else
@@ -164,40 +42,42 @@ static inline void stretch_before(const Scene* scene, Stretch* s, tau_t sigma_t,
 #endif
 }
 
-// Gains of the segments; moves *tau, that of medium m, past them.
-static inline void stretch_gains(const Scene* scene, Stretch* s, int m, tau_t sigma_t, tau_t* tau,
-                                 MediumResult* result) {
+// Gains of the segments; moves *tau, that of their medium, past them.
+static inline void stretch_gains(const Scene* scene, Stretch* s, tau_t sigma_t, tau_t* tau) {
   floatW before[TAU_CHANNELS];
+  s->dense = (intW)(0);
+  if (TAKES_ENDS(scene) && scene->frame->in_scattering == IN_SCATTERING_SEGMENT)
+    s->dense = stretch_depth_max(s) > (floatW)(METHOD_IS(s->medium, HOMOGENEOUS) ? TAU_THIN_CONSTANT : TAU_THIN);
   stretch_before(scene, s, sigma_t, tau, before);
-#if BRUME_MEDIA == 2
-  float others[TAU_CHANNELS][W];
-  for (int i = 0; i < W; ++i) {
-    tau_t here = (tau_t)(0.0f);
-    if (s->integral[i] > 0.0f) here = stretch_others(scene, s, m, i, result);
-    for (int c = 0; c < TAU_CHANNELS; ++c) others[c][i] = tau_channel(here, c);
-  }
-  for (int c = 0; c < TAU_CHANNELS; ++c) before[c] += lanes_load(others[c]);
-#endif
   const floatW integral = lanes_load(s->integral);
-  for (int c = 0; c < TAU_CHANNELS; ++c) s->gain[c] = segment_gain(scene, tau_channel(sigma_t, c), integral, before[c]);
+  for (int c = 0; c < TAU_CHANNELS; ++c) {
+#if BRUME_MEDIA == 2
+    before[c] += lanes_load(s->others[c]);
+#endif
+    s->gain[c] = segment_gain(scene, integral, before[c], s->depth[c]);
+  }
 }
 
 #if BRUME_TRACKING
 // The same for tentative collisions: without bias in the mean, whatever the light.
-static inline void track_gains(const Scene* scene, Stretch* s, int m, tau_t sigma_t, tau_t* tau, MediumResult* result) {
+static inline void track_gains(const Scene* scene, Stretch* s, int m, tau_t sigma_t, tau_t* tau, Others* others,
+                               MediumResult* result) {
   float gain[TAU_CHANNELS][W];
+  s->dense = (intW)(0);
   for (int c = 0; c < TAU_CHANNELS; ++c)
     for (int i = 0; i < W; ++i) gain[c][i] = 0.0f;
   for (int i = 0; i < s->at->count; ++i) {
     const Collision hit = track_collide(s->medium, &s->walk, s->at, i, s->integral[i], sigma_t, tau);
     if (hit.weight > 0.0f) {
-      const tau_t before = hit.before + stretch_others(scene, s, m, i, result);
+      others_advance(scene, s, m, s->ray->t_begin + s->at->place[i], 0.0f, stretch_random(s, i, STREAM_OTHERS), others,
+                     &result->lookups);
+      const tau_t before = hit.before + others->tau;
       for (int c = 0; c < TAU_CHANNELS; ++c) gain[c][i] = hit.weight * exp(-tau_channel(before, c));
     }
     s->integral[i] = hit.weight;
     result->lookups += s->at->size[i] > 0.0f;
     if (!roulette_survives(scene, &s->walk, s->at->id[i], tau) || tau_min(*tau) >= TAU_STOP) {
-      stretch_cut(s, i + 1);
+      stretch_end_at(s, i + 1);
       break;
     }
   }
@@ -205,8 +85,20 @@ static inline void track_gains(const Scene* scene, Stretch* s, int m, tau_t sigm
 }
 #endif
 
+static inline Stretch stretch_of(const Medium* medium, const MediumRay* ray, float3 origin, float3 dir, Random walk) {
+  Stretch s;
+  s.medium = medium;
+  s.ray = ray;
+  s.origin = origin;
+  s.dir = dir;
+  s.walk = walk;
+  s.light_t = -INFINITY;
+  s.light_tau = (tau_t)(0.0f);
+  return s;
+}
+
 // Medium m along a view ray up to t_max: adds what it scatters and emits towards the origin to *radiance and returns its
-// optical depth.
+// optical depth. Each turn takes W segments of the walk, or W parts of those that are dense.
 static inline tau_t medium_scatter(const Scene* scene, int m, float3 origin, float3 dir, float t_max, Random random,
                                    float3* radiance, MediumResult* result) {
   const Medium medium = scene->media[m];
@@ -214,28 +106,49 @@ static inline tau_t medium_scatter(const Scene* scene, int m, float3 origin, flo
   const MediumRay ray = medium_ray(&medium, origin, dir, t_max);
   tau_t tau = (tau_t)(0.0f);
   if (!(ray.length > 0.0f)) return tau;
-  Segments at;
-  Stretch stretch;
-  stretch.medium = &medium;
-  stretch.ray = &ray;
-  stretch.at = &at;
-  stretch.origin = origin;
-  stretch.dir = dir;
-  stretch.walk = random_stream(random, (uint)m);
-  Walk walk = walk_begin(&medium, &ray, stretch.walk, 0);
-  for (walk_next(scene, &medium, &ray, &walk, &at); at.count > 0 && tau_min(tau) < TAU_STOP;
-       walk_next(scene, &medium, &ray, &walk, &at)) {
-    lanes_store(walk_integral(scene, &medium, &ray, &at), stretch.integral);
+  const int cuts = scene->frame->in_scattering == IN_SCATTERING_SEGMENT;
+  Stretch s = stretch_of(&medium, &ray, origin, dir, random_stream(random, (uint)m));
+  Others others = {0.0f, (tau_t)(0.0f)};
+  Segments whole, parts;
+  Cut cut;
+  cut.lane = W;
+  Walk walk = walk_begin(&medium, &ray, s.walk, 0);
+  while (tau_min(tau + others.tau) < TAU_STOP) {
+    const int uncut = cut.lane == W;
+    if (uncut) {
+      walk_next(scene, &medium, &ray, &walk, &whole);
+      s.at = &whole;
+    } else {
+      stretch_parts(&whole, &cut, &parts, &s);
+      s.at = &parts;
+    }
+    if (s.at->count == 0) {
+      if (uncut) break;
+      continue;  // the last parts filled their batch
+    }
+#if BRUME_RANDOM
+    for (int i = 0; i < W; ++i) s.id[i] = uncut ? walk_id(&medium, &whole, i) : parts.id[i];
+#endif
+    if (uncut || METHOD_IS(&medium, DDA_GAUSS2)) {
+      lanes_store(walk_integral(scene, &medium, &ray, s.at), s.integral);
+      if (!METHOD_TRACKS(&medium)) result->lookups += walk_lookups(&medium, s.at);
+    }
 #if BRUME_TRACKING
     if (METHOD_TRACKS(&medium)) {
-      track_gains(scene, &stretch, m, sigma_t, &tau, result);
+      track_gains(scene, &s, m, sigma_t, &tau, &others, result);
     } else
 #endif
     {
-      result->lookups += walk_lookups(&medium, &at);
-      stretch_gains(scene, &stretch, m, sigma_t, &tau, result);
+      Others moved = others;
+#if BRUME_MEDIA == 2
+      stretch_others(scene, &s, m, &moved, &result->lookups);
+#endif
+      stretch_depths(&s, sigma_t);
+      if (uncut && cuts && stretch_cut(&s, &cut)) continue;
+      others = moved;
+      stretch_gains(scene, &s, sigma_t, &tau);
     }
-    *radiance += stretch_radiance(scene, &stretch, result);
+    *radiance += stretch_radiance(scene, &s, result);
   }
   return tau;
 }

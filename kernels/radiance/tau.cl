@@ -114,7 +114,7 @@ static inline tau_t medium_tau(const Scene* scene, int m, float3 origin, float3 
 #if BRUME_TRACKING
   if (METHOD_TRACKS(&medium)) return track_tau(scene, &medium, &ray, walk, sigma_t, lookups);
 #endif
-  return sigma_t * walk_total(scene, &medium, &ray, walk, TAU_STOP / fmax(tau_min(sigma_t), 1e-30f), lookups);
+  return sigma_t * walk_total(scene, &medium, &ray, walk, tau_min(sigma_t), lookups);
 }
 
 // Optical depth of all media but `except` from the origin to t_max.

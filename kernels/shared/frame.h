@@ -18,7 +18,7 @@ typedef struct {
   int in_scattering;
   int max_depth;
   float roulette;  // view rays below this transmittance are ended at random, the rest weighs more; 0: never
-  int pad;
+  int takes_ends;  // dense segments take the light from both ends: no medium is tracked
   int crop_x0, crop_y0, crop_x1, crop_y1;  // pixels rendered: [x0,x1) x [y0,y1)
 } Frame;
 BRUME_LAYOUT(Frame, 144);

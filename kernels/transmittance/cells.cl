@@ -21,6 +21,7 @@ static inline void cells_fill(const Scene* scene, const Medium* medium, const Me
     float s = d->s;
     do {
       const float exit = fmin_ordered(fmin_ordered(x.cell_exit, y.cell_exit), fmin_ordered(z.cell_exit, end));
+      out->begin[n] = s;
       out->place[n] = 0.5f * (s + exit);
       out->size[n] = exit - s;
       dda_brick_store(d, n, out);

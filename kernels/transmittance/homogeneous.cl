@@ -6,6 +6,7 @@
 static inline void homogeneous_fill(Steps* s, Segments* out) {
   int n = 0;
   for (; n < W && s->next < s->count; ++n, ++s->next) {
+    out->begin[n] = (float)s->next * s->size;
     out->place[n] = ((float)s->next + 0.5f) * s->size;
     out->size[n] = s->size;
 #if BRUME_RANDOM

@@ -72,6 +72,7 @@ static inline void steps_fill(const Scene* scene, const Medium* medium, const Me
     }
     // A lane that is not used looks into brick 0, for nothing.
     const intW brick = lanes_select((intW)(0), entry, used);
+    lanes_store(number * s->size, out->begin);
     lanes_store(place, out->place);
     lanes_store(lanes_select((floatW)(0.0f), (floatW)(s->size), used), out->size);
     lanes_store(brick * BRICK_VALUES - BRICK_CELLS * brick_stride(x, y, z), out->base);

@@ -36,7 +36,7 @@ static inline Track track_begin(const Medium* medium, Random random, int residua
 }
 
 static inline void track_emit(const Dda* d, Track* t, float size, float low, int i, Segments* out) {
-  out->place[i] = d->s;
+  out->begin[i] = out->place[i] = d->s;
   out->size[i] = size;
   dda_brick_store(d, i, out);
   out->x[i] = d->x.brick * BRICK_CELLS;

@@ -89,15 +89,15 @@ static inline uint walk_id(const Medium* medium, const Segments* at, int i) {
 #define walk_id(medium, at, i) 0
 #endif
 
-// ∫ρ over the whole stretch, not for trackers; the rest is left out once it exceeds `stop`.
+// ∫ρ over the whole stretch, not for trackers; the rest is left out once it is black by an extinction of `sigma`.
 static inline float walk_total(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random,
-                               float stop, uint* lookups) {
+                               float sigma, uint* lookups) {
   if (!(ray->length > 0.0f)) return 0.0f;
   if (METHOD_IS(medium, HOMOGENEOUS)) return homogeneous_total(medium, ray);
   Walk walk = walk_begin(medium, ray, random, 1);
   Segments at;
   float total = 0.0f;
-  for (walk_next(scene, medium, ray, &walk, &at); at.count > 0 && total < stop;
+  for (walk_next(scene, medium, ray, &walk, &at); at.count > 0 && total * sigma < TAU_STOP;
        walk_next(scene, medium, ray, &walk, &at)) {
     total += lanes_sum(walk_integral(scene, medium, ray, &at));
     *lookups += walk_lookups(medium, &at);

@@ -28,6 +28,7 @@ inline FlatScene scene_empty(int size = 1) {
   Camera& camera = scene.frame.camera;
   camera = {packed(0, 0, 8), CAMERA_ORTHOGRAPHIC, packed(0, 0, -1), size, packed(1, 0, 0), size, packed(0, 1, 0), 1};
   scene.frame.crop_x1 = scene.frame.crop_y1 = size;
+  scene.frame.takes_ends = 1;
   return scene;
 }
 

@@ -61,17 +61,27 @@ TEST(ReferenceSlab, SingleScatteringLitFromTheFrontAndFromBehind) {
 }
 
 TEST(ReferenceSlab, SegmentRuleByHand) {
-  // one segment of length 2: albedo · p E e^(-σt 1) · (1 - e^(-2σt)), the light having passed 1 on its way to the
-  // middle
+  // one segment or two, cut into 16 parts: the depths to the eye and to the light grow evenly, so the sum is the integral
   FlatScene scene = slab(0.25, 0.75);
-  scene.media[0].step = 8;
   test::light_add_directional(scene, {0, 0, -1}, 5);
-  EXPECT_NEAR(ray_render(Context(scene, {}), VIEW).radiance.x, 0.75 * 5 / (4 * PI) * std::exp(-1) * (1 - std::exp(-2)),
-              1e-14);
-  // two: the second from behind the first
-  scene.media[0].step = 1;
-  const double expected = 0.75 * 5 / (4 * PI) * (1 - std::exp(-1)) * (std::exp(-0.5) + std::exp(-1.5) * std::exp(-1));
-  EXPECT_NEAR(ray_render(Context(scene, {}), VIEW).radiance.x, expected, 1e-14);
+  const double expected = 0.75 * 5 / (4 * PI) * (1 - std::exp(-4)) / 2;
+  for (const float step : {8.0f, 1.0f}) {
+    scene.media[0].step = step;
+    EXPECT_NEAR(ray_render(Context(scene, {}), VIEW).radiance.x, expected, 1e-14);
+  }
+  // a thin one takes the light in its middle: albedo · p E e^(-τ/2) · (1 - e^(-τ))
+  FlatScene thin = slab(0x1p-13, 0x1p-12);
+  thin.media[0].step = 8;
+  test::light_add_directional(thin, {0, 0, -1}, 5);
+  const double tau = 3 * 0x1p-12;
+  EXPECT_NEAR(ray_render(Context(thin, {}), VIEW).radiance.x,
+              2.0 / 3 * 5 / (4 * PI) * std::exp(-tau / 2) * -std::expm1(-tau), 1e-17);
+  // and so does each part where collisions are tracked
+  double middles = 0;
+  for (int i = 0; i < 16; ++i) middles += (1 - std::exp(-0.125)) * std::exp(-i / 8.0 - (i + 0.5) / 8);
+  scene.frame.takes_ends = 0;
+  EXPECT_NEAR(ray_render(Context(scene, {}), VIEW).radiance.x, 0.75 * 5 / (4 * PI) * middles, 1e-14);
+  scene.frame.takes_ends = 1;
   // light that travels with the view comes back by the value at cos θ = -1: 1/(18π) for g = 1/2
   scene.media[0].phase = PHASE_HENYEY_GREENSTEIN;
   scene.media[0].g = 0.5f;
@@ -79,14 +89,12 @@ TEST(ReferenceSlab, SegmentRuleByHand) {
 }
 
 TEST(ReferenceSlab, SegmentRuleOfTwoMediaByHand) {
-  // both fill the slab in one segment; each is dimmed by the other up to the middle, and both dim the light
+  // both fill the slab in one segment; each is dimmed by both, and both dim the light: one medium of their sum
   FlatScene scene = slab(0.25, 0.25);
   scene.media[0].step = 8;
   test::medium_add_constant(scene, {-64, -64, 0}, {64, 64, 2}, 0, 1).step = 8;
   test::light_add_directional(scene, {0, 0, -1}, 1);
-  const double light = std::exp(-1.5) / (4 * PI);
-  const double expected =
-      0.5 * light * std::exp(-1) * (1 - std::exp(-1)) + 1 * light * std::exp(-0.5) * (1 - std::exp(-2));
+  const double expected = 1.25 / (4 * PI) * (1 - std::exp(-6)) / 3;
   const PixelD pixel = ray_render(Context(scene, {}), VIEW);
   EXPECT_NEAR(pixel.radiance.x, expected, 1e-14);
   EXPECT_NEAR(pixel.transmittance.x, std::exp(-3), 1e-15);
@@ -132,10 +140,10 @@ TEST(ReferenceMedia, ColoursAreIndependentAndNoExtinctionIsNoAlbedo) {
   scene.media[0].step = 8;
   test::light_add_directional(scene, {0, 0, -1}, 1);
   const PixelD pixel = ray_render(Context(scene, {}), VIEW);
-  EXPECT_NEAR(pixel.radiance.x, std::exp(-1) * (1 - std::exp(-2)) / (4 * PI), 1e-15);
+  EXPECT_NEAR(pixel.radiance.x, (1 - std::exp(-4)) / 2 / (4 * PI), 1e-15);
   EXPECT_EQ(pixel.radiance.y, 0);
   EXPECT_EQ(pixel.transmittance.y, 1);
-  EXPECT_NEAR(pixel.radiance.z, std::exp(-0.5) * (1 - std::exp(-1)) / (4 * PI), 1e-15);
+  EXPECT_NEAR(pixel.radiance.z, (1 - std::exp(-2)) / 2 / (4 * PI), 1e-15);
 }
 
 TEST(ReferenceMedia, LightReachesASurfaceThroughThem) {
@@ -167,7 +175,7 @@ TEST(ReferenceKeys, PrimitiveLitLightsAndChecker) {
 }
 
 TEST(ReferenceKeys, BlockedLightsInSegmentsWithDensity) {
-  // 4 cells along the view, one of them empty; light 1 (of 0, 1) stands behind a quad
+  // 4 cells of depth 2 along the view, one of them empty, each cut into 16 parts; light 1 (of 0, 1) stands behind a quad
   FlatScene scene = test::scene_empty();
   test::medium_add_grid(
       scene, {4, 4, 4}, INTERPOLATION_NEAREST, [](ivec3 s) { return s.z == 2 ? 0 : 1; }, 1, 1);
@@ -175,7 +183,7 @@ TEST(ReferenceKeys, BlockedLightsInSegmentsWithDensity) {
   test::light_add_directional(scene, {1, 0, 0}, 1);
   test::light_add_directional(scene, {0, -1, 0}, 1);
   const PixelD pixel = ray_render(Context(scene, {}), VIEW);
-  EXPECT_EQ(pixel.key, 0xffffffffu * 0x9E3779B1u + 3 * 2 * 0xC2B2AE35u);
+  EXPECT_EQ(pixel.key, 0xffffffffu * 0x9E3779B1u + 3 * 16 * 2 * 0xC2B2AE35u);
   scene.lights[1].intensity = test::grey(0);
   EXPECT_EQ(ray_render(Context(scene, {}), VIEW).key, 0xffffffffu * 0x9E3779B1u);
 }

@@ -1,0 +1,228 @@
+// See scatter_segments.hpp. Written from ARCHITECTURE.md, one segment after the other.
+#include "reference/scatter_segments.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/light_grid.hpp"
+#include "reference/phase.hpp"
+#include "reference/tracking.hpp"
+#include "shared/method.h"
+
+namespace brume::reference {
+namespace {
+
+// Mean of exp(-t) over [0, x], also for x < 0.
+double mean_exp(double x) { return x == 0 ? 1 : -std::expm1(-x) / x; }
+
+// ∫ρT over a segment by the rule of the frame: `integral` is ∫ρ over it, `before` the optical depth up to it and `depth` that
+// over it.
+double gain_of(int rule, double integral, double before, double depth) {
+  if (rule == IN_SCATTERING_RECTANGLE) return std::exp(-(before + depth)) * integral;
+  return std::exp(-before) * mean_exp(depth) * integral;
+}
+
+// ∫ exp(-(a + (b - a) u)) du over [0, 1].
+double mean_between(double a, double b) { return std::exp(-std::min(a, b)) * mean_exp(std::abs(b - a)); }
+
+// A piece of a view ray through a medium for which light is asked for: at t, or where it is dense at both of its ends.
+struct Segment {
+  int medium;
+  double t;
+  RandomStream random;
+  bool dense = false;
+  double begin = 0, end = 0;
+  dvec3 depth{0};  // of all media over it
+};
+
+// τ of all media from a point in a medium to a light, by its light grid if it has one.
+dvec3 light_depth(const Context& context, int index, std::size_t light, const dvec3& point, const RandomStream& random,
+                  double& lookups) {
+  const Medium& medium = context.scene.media[static_cast<std::size_t>(index)];
+  const LightDepths& depths = context.light_depths[static_cast<std::size_t>(index)];
+  if (depths.tau.empty()) {
+    const LightSample sample = light_at(context.scene.lights[light], point);
+    return media_tau(context, {point, -sample.travel}, sample.distance, random, lookups);
+  }
+  ++lookups;
+  return light_grid_tau(depths, light_grid_of(context.scene, medium, light), medium, light, point);
+}
+
+// Mean of T to a light over a segment, weighted with the segment's own ρT.
+dvec3 light_transmittance(const Context& context, const Segment& at, std::size_t light, const RayD& ray,
+                          double& lookups) {
+  const auto l = static_cast<uint>(light);
+  const auto depth = [&](double t, uint stream) {
+    return light_depth(context, at.medium, light, ray.at(t), at.random.child(stream + l), lookups);
+  };
+  if (!at.dense) return transmittance_of(depth(at.t, STREAM_LIGHT));
+  const dvec3 begin = depth(at.begin, STREAM_LIGHT), end = at.depth + depth(at.end, STREAM_LIGHT_END);
+  dvec3 mean;
+  for (int c = 0; c < 3; ++c) mean[c] = mean_between(begin[c], end[c]) / mean_between(0, at.depth[c]);
+  return mean;
+}
+
+// S of a segment, and into shadow_key the lights that a surface keeps from its t.
+dvec3 source_at(const Context& context, const Segment& at, const RayD& ray, Scattered& result) {
+  const Medium& medium = context.scene.media[static_cast<std::size_t>(at.medium)];
+  dvec3 source(0);
+  if (vec_promote(medium.sigma_s) == dvec3(0)) return source;
+  const dvec3 point = ray.at(at.t), nothing(0);
+  for (std::size_t i = 0; i < context.scene.lights.size(); ++i) {
+    const Arrival arrival = light_arrival(context, i, point, point, at.random, result.lookups, &nothing);
+    if (!arrival.light.shines()) continue;
+    if (arrival.blocked) result.shadow_key += static_cast<uint>(i + 1);
+    if (arrival.irradiance == dvec3(0)) continue;
+    source += arrival.irradiance * light_transmittance(context, at, i, ray, result.lookups) *
+              phase_eval(medium.phase, medium.g, glm::dot(arrival.light.travel, -ray.dir));
+  }
+  return source;
+}
+
+// What a medium sends to the origin of the ray from one place: σs S + emission.
+dvec3 sent_from(const Context& context, const Segment& at, const RayD& ray, Scattered& result) {
+  const Medium& medium = context.scene.media[static_cast<std::size_t>(at.medium)];
+  return vec_promote(medium.sigma_s) * source_at(context, at, ray, result) + vec_promote(medium.emission);
+}
+
+// τ of the other media along a view ray: the sum of its pieces from one asked place to the next.
+struct Others {
+  const Context& context;
+  int medium;
+  const RayD& ray;
+  double t = 0;
+  dvec3 tau{0};
+
+  const dvec3& advance(double to, const RandomStream& random, double& lookups) {
+    if (to > t) tau += media_tau_beside(context, medium, {ray.at(t), ray.dir}, to - t, random, lookups);
+    t = std::max(t, to);
+    return tau;
+  }
+};
+
+double largest(const dvec3& v) { return std::max({v.x, v.y, v.z}); }
+
+// A walk through one medium that is not tracked, as ARCHITECTURE.md cuts it into segments and dense ones into parts.
+struct MediumWalk {
+  const Context& context;
+  const Medium& medium;
+  int index, method, rule;
+  const RayD& ray;
+  RandomStream walk;
+  bool takes_ends;  // no medium is tracked
+  dvec3 sigma_t, own_tau{0};
+  Others others;
+  Scattered& result;
+
+  // τ of the other media up to where light is asked for, and along the segment.
+  std::pair<dvec3, dvec3> beside(Others& from, const SegmentD& segment) {
+    const RandomStream random = walk.child(segment.id);
+    if (!takes_ends) return {from.advance(segment.sample, random.child(STREAM_OTHERS), result.lookups), dvec3(0)};
+    const dvec3 begin = from.advance(segment.t_begin, random.child(STREAM_OTHERS), result.lookups);
+    return {begin, from.advance(segment.t_end, random.child(STREAM_OTHERS + 1), result.lookups) - begin};
+  }
+
+  double parts_of(const SegmentD& segment) {
+    if (rule != IN_SCATTERING_SEGMENT) return 1;
+    Others ahead = others;
+    const double depth = largest(sigma_t * segment.density_length + beside(ahead, segment).second);
+    return std::clamp(std::ceil(depth * 8 - 1.0 / 1024), 1.0, 256.0);
+  }
+
+  SegmentD part_of(const SegmentD& whole, double i, double count) {
+    const double length = whole.t_end - whole.t_begin;
+    SegmentD part = whole;
+    part.t_begin = whole.t_begin + length * (i / count);
+    part.t_end = i + 1 == count ? whole.t_end : whole.t_begin + length * ((i + 1) / count);
+    part.sample = part.t_begin + (whole.sample - whole.t_begin) / count;
+    part.density_length = whole.density_length / count;
+    part.id = whole.id + static_cast<uint>(i) * 0x9E3779B1u;
+    if (method != METHOD_DDA_GAUSS2) return part;
+    part.density_length = density_length_gauss2(context.scene, medium, ray, part);
+    result.lookups += segment_lookups(medium, method);
+    return part;
+  }
+
+  // False: roulette ended the ray.
+  bool scatter(const SegmentD& segment) {
+    const auto [other_tau, other_depth] = beside(others, segment);
+    const dvec3 depth = sigma_t * segment.density_length + other_depth, before = own_tau + other_tau;
+    const bool dense =
+        takes_ends && rule == IN_SCATTERING_SEGMENT && largest(depth) > (medium.is_constant ? 1.0 / 512 : 1.0 / 16);
+    const Segment at{index, segment.sample, walk.child(segment.id), dense, segment.t_begin, segment.t_end, depth};
+    dvec3 gain;
+    for (int c = 0; c < 3; ++c) gain[c] = gain_of(rule, segment.density_length, before[c], depth[c]);
+    result.radiance += sent_from(context, at, ray, result) * gain;
+    own_tau += sigma_t * segment.density_length;
+    if (!(context.scene.frame.roulette > 0)) return true;
+    dvec3 transmittance = transmittance_of(own_tau);
+    const bool goes_on = roulette(context.scene.frame.roulette, walk, segment.id, transmittance);
+    own_tau = tau_of(transmittance);
+    return goes_on;
+  }
+
+  void run(double t_max) {
+    for (const SegmentD& segment : segments(context.scene, index, ray, 0, t_max, method, walk)) {
+      result.lookups += segment_lookups(medium, method);
+      if (!(segment.density_length > 0)) continue;
+      const double count = parts_of(segment);
+      for (double i = 0; i < count; ++i) {
+        const SegmentD part = count > 1 ? part_of(segment, i, count) : segment;
+        if (part.density_length > 0 && !scatter(part)) return;
+        // what is left is beyond any measure; the kernels stop earlier
+        if (count > 1 && -std::log(1e-300) < std::min({own_tau.x, own_tau.y, own_tau.z})) break;
+      }
+    }
+  }
+};
+
+void medium_segments(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& walk,
+                     Scattered& result) {
+  const Medium& medium = context.scene.media[static_cast<std::size_t>(index)];
+  MediumWalk scattering{context,
+                        medium,
+                        index,
+                        context.method(medium),
+                        context.scene.frame.in_scattering,
+                        ray,
+                        walk,
+                        context.scene.frame.takes_ends != 0,
+                        sigma_t_of(medium),
+                        dvec3(0),
+                        {context, index, ray},
+                        result};
+  scattering.run(t_max);
+  result.tau += scattering.own_tau;
+}
+
+// The same by collisions: each is worth ∫ρ in the mean.
+void medium_track(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& walk,
+                  Scattered& result) {
+  const Medium& medium = context.scene.media[static_cast<std::size_t>(index)];
+  const dvec3 sigma_t = sigma_t_of(medium);
+  dvec3 transmittance(1);
+  Others others{context, index, ray};
+  const auto visit = [&](const CollisionD& collision) {
+    const CollisionWorth worth = collide(collision, sigma_t, walk, medium.method, transmittance);
+    result.lookups += collision.spacing > 0;
+    if (worth.weight > 0) {
+      const Segment at{index, collision.t, walk.child(collision.id)};
+      const dvec3 tau = others.advance(collision.t, at.random.child(STREAM_OTHERS), result.lookups);
+      result.radiance += sent_from(context, at, ray, result) * worth.before * transmittance_of(tau) * worth.weight;
+    }
+    return roulette(context.scene.frame.roulette, walk, collision.id, transmittance) && !is_black(transmittance);
+  };
+  collisions_visit(context.scene, medium, ray, medium_interval(medium, ray, 0, t_max), walk, medium.method, false,
+                   visit);
+  result.tau += tau_of(transmittance);
+}
+
+}  // namespace
+
+void medium_scatter(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& walk,
+                    Scattered& result) {
+  const bool tracks = method_tracks(context.scene.media[static_cast<std::size_t>(index)].method);
+  (tracks ? medium_track : medium_segments)(context, index, ray, t_max, walk, result);
+}
+
+}  // namespace brume::reference

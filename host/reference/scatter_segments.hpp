@@ -1,0 +1,11 @@
+// What one medium scatters and emits towards the origin of a view ray, segment by segment (ARCHITECTURE, Media).
+#pragma once
+#include "reference/scatter.hpp"
+
+namespace brume::reference {
+
+// Medium `index` up to t_max, by segments or by collisions as its method wants: adds to result.radiance and result.tau.
+void medium_scatter(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& walk,
+                    Scattered& result);
+
+}  // namespace brume::reference

@@ -46,7 +46,7 @@ void StabilityRays::through(const dvec3& point, const dvec3& dir, double back) {
   add(point - back * unit, unit);
 }
 
-bool StabilityRun::tracks() const { return reference::method_tracks(method_); }
+bool StabilityRun::tracks() const { return method_tracks(method_); }
 bool StabilityRun::steps() const { return method_has_step(method_) && method_ != METHOD_HOMOGENEOUS; }
 bool StabilityRun::exact() const { return !tracks() && !steps() && method_ != METHOD_DDA_MIDPOINT; }
 

@@ -46,8 +46,8 @@ std::string methods_that_fit(int fits) {
 int method_resolve(const SceneDesc& desc, const MediumDesc& m) {
   const int fits = medium_fits(m);
   if (desc.render.method == METHOD_AUTO) {
-    if (m.density.type == "constant") return METHOD_HOMOGENEOUS;
-    return m.interpolation == INTERPOLATION_NEAREST ? METHOD_DDA_NEAREST : METHOD_DDA_GAUSS2;
+    if (m.density.type == "constant") return method_exact_of(FITS_CONSTANT);
+    return method_exact_of(m.interpolation == INTERPOLATION_NEAREST ? FITS_NEAREST : FITS_TRILINEAR);
   }
   if (!(method_fits(desc.render.method) & fits))
     throw InputError(desc.file.string() + ": /render/method: '" +

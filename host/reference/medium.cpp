@@ -66,16 +66,20 @@ std::vector<double> cell_crossings(const RayD& ray, double t0, double t1) {
 }
 
 // ∫ρ over a segment within one cell.
-double dda_rule(const FlatScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment, int method) {
+double dda_rule(const FlatScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment, int rule) {
   const double length = segment.t_end - segment.t_begin, middle = segment.middle();
   const auto density = [&](double t) { return density_in_cell(scene, medium, segment.cell, ray.at(t)); };
-  if (method == METHOD_DDA_GAUSS2) {
-    const double apart = length / (2 * std::sqrt(3.0));
-    return length / 2 * (density(middle - apart) + density(middle + apart));
+  const double apart = length / (2 * std::sqrt(3.0));
+  switch (rule) {
+    case RULE_GAUSS2:
+      return length / 2 * (density(middle - apart) + density(middle + apart));
+    case RULE_NEAREST:  // the cell's own sample, whatever the interpolation
+      return length * density_in_cell(scene, medium, segment.cell, dvec3(segment.cell));
+    case RULE_MIDPOINT:
+      return length * density(middle);
+    default:
+      return std::nan("");  // not a rule of cells
   }
-  if (method == METHOD_DDA_MIDPOINT || medium.is_constant) return length * density(middle);
-  // dda_nearest: the cell's own sample, whatever the interpolation
-  return length * density_in_cell(scene, medium, segment.cell, dvec3(segment.cell));
 }
 
 uint cell_name(const ivec3& cell) {
@@ -85,15 +89,8 @@ uint cell_name(const ivec3& cell) {
 
 // Where in step i a marcher samples, as a share of the step.
 double march_share(int method, const RandomStream& random, uint i) {
-  if (method == METHOD_MARCH_REGULAR) return 0;
-  if (method == METHOD_MARCH_REGULAR_JITTER) return random.at(i, RANDOM_PLACE);
-  if (method == METHOD_MARCH_MIDPOINT_JITTER) return 0.5 + (random.at(i, RANDOM_PLACE) - 0.5) / 2;
-  return 0.5;
-}
-
-bool method_marches(int method) {
-  return method == METHOD_MARCH_REGULAR || method == METHOD_MARCH_MIDPOINT || method == METHOD_MARCH_REGULAR_JITTER ||
-         method == METHOD_MARCH_MIDPOINT_JITTER;
+  const double over = method_jitter(method);
+  return method_share(method) + (over > 0 ? over * random.at(i, RANDOM_PLACE) : 0);
 }
 
 template <class Visit>
@@ -105,7 +102,7 @@ void dda_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, co
     segment.sample = segment.middle();
     segment.cell = cell_at(medium, ray.at(segment.middle()));
     segment.id = cell_name(segment.cell);
-    segment.density_length = dda_rule(scene, medium, ray, segment, method);
+    segment.density_length = dda_rule(scene, medium, ray, segment, method_rule(method));
     visit(segment);
   }
 }
@@ -132,7 +129,7 @@ void segments_visit(const FlatScene& scene, const Medium& medium, const RayD& wo
                     const RandomStream& random, Visit visit) {
   if (span.empty()) return;
   const RayD ray = ray_to_cells(medium, world);
-  if (method_marches(method) || method == METHOD_HOMOGENEOUS)
+  if (method_placement(method) == PLACEMENT_STEPS)
     march_visit(scene, medium, ray, span, method, random, visit);
   else
     dda_visit(scene, medium, ray, span, method, visit);
@@ -206,17 +203,16 @@ double optical_depth(const FlatScene& scene, int medium, const RayD& ray, double
 }
 
 double density_length_gauss2(const FlatScene& scene, const Medium& medium, const RayD& world, const SegmentD& segment) {
-  return dda_rule(scene, medium, ray_to_cells(medium, world), segment, METHOD_DDA_GAUSS2);
+  return dda_rule(scene, medium, ray_to_cells(medium, world), segment, RULE_GAUSS2);
 }
 
 int segment_lookups(const Medium& medium, int method) {
-  if (medium.is_constant) return 0;
-  return method == METHOD_DDA_GAUSS2 ? 2 : 1;
+  return medium.is_constant ? 0 : rule_lookups(method_rule(method));
 }
 
 int method_exact(const Medium& medium) {
-  if (medium.is_constant) return METHOD_HOMOGENEOUS;
-  return medium.interpolation == INTERPOLATION_NEAREST ? METHOD_DDA_NEAREST : METHOD_DDA_GAUSS2;
+  if (medium.is_constant) return method_exact_of(FITS_CONSTANT);
+  return method_exact_of(medium.interpolation == INTERPOLATION_NEAREST ? FITS_NEAREST : FITS_TRILINEAR);
 }
 
 }  // namespace brume::reference

@@ -137,7 +137,7 @@ struct MediumWalk {
     part.sample = part.t_begin + (whole.sample - whole.t_begin) / count;
     part.density_length = whole.density_length / count;
     part.id = whole.id + static_cast<uint>(i) * 0x9E3779B1u;
-    if (method != METHOD_DDA_GAUSS2) return part;
+    if (method_rule(method) != RULE_GAUSS2) return part;
     part.density_length = density_length_gauss2(context.scene, medium, ray, part);
     result.lookups += segment_lookups(medium, method);
     return part;

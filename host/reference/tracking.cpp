@@ -41,10 +41,6 @@ Range range_at(const FlatScene& scene, const Medium& medium, const dvec3& cell_p
 
 }  // namespace
 
-bool method_tracks(int method) {
-  return method == METHOD_DELTA_TRACKING || method == METHOD_RATIO_TRACKING || method == METHOD_RESIDUAL_RATIO;
-}
-
 void collisions_visit(const FlatScene& scene, const Medium& medium, const RayD& world, const Interval& span,
                       const RandomStream& random, int method, bool only_tau,
                       const std::function<bool(const CollisionD&)>& visit) {

@@ -27,7 +27,7 @@ FAMILY(material_family, MATERIAL, BRUME_MATERIALS)
 #define ROW(id, name, help) {TEXTURE_##id, name, help},
 FAMILY(texture_family, TEXTURE, BRUME_TEXTURES)
 #undef ROW
-#define ROW(id, name, help) {PHASE_##id, name, help},
+#define ROW(id, name, takes_g, help) {PHASE_##id, #name, help},
 FAMILY(phase_family, PHASE, BRUME_PHASES)
 #undef ROW
 #define ROW(id, name, help) {INTERPOLATION_##id, name, help},
@@ -42,7 +42,7 @@ FAMILY(shadow_family, SHADOW, BRUME_SHADOWS)
 #define ROW(id, name, help) {STORAGE_##id, name, help},
 FAMILY(storage_family, STORAGE, BRUME_STORAGES)
 #undef ROW
-#define ROW(id, name, fits, step, draws, help) {METHOD_##id, name, help},
+#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) {METHOD_##id, name, help},
 FAMILY(method_family, METHOD, BRUME_METHODS)
 #undef ROW
 #undef FAMILY
@@ -62,22 +62,5 @@ const Family& mesh_shading_family() {
                            {static_cast<int>(MeshShading::PHONG), "phong", "normals blended over the triangle"}};
   return rows;
 }
-
-namespace {
-struct MethodTraits {
-  int fits;
-  bool step;
-  int draws;
-};
-constexpr MethodTraits METHOD_TRAITS[] = {
-#define ROW(id, name, fits, step, draws, help) {fits, step != 0, draws},
-    BRUME_METHODS(ROW)
-#undef ROW
-};
-}  // namespace
-
-int method_fits(int method) { return METHOD_TRAITS[method].fits; }
-int method_draws(int method) { return METHOD_TRAITS[method].draws; }
-bool method_has_step(int method) { return METHOD_TRAITS[method].step; }
 
 }  // namespace brume

@@ -1,6 +1,7 @@
 // The tables of scene/kernel families: names, ids and help, expanded from the lists in kernels/shared.
 #pragma once
 #include "base/family.hpp"
+#include "shared/method.h"
 
 namespace brume {
 
@@ -17,10 +18,5 @@ const Family& storage_family();
 const Family& method_family();  // without "auto"
 const Family& shape_family();   // analytic shapes, triangle and mesh
 const Family& mesh_shading_family();
-
-// FITS_x bits of a method (shared/method.h), and whether it reads render.step.
-int method_fits(int method);
-bool method_has_step(int method);
-int method_draws(int method);  // DRAWS_x
 
 }  // namespace brume

@@ -26,8 +26,8 @@
 #ifndef BRUME_COLOR_TAU  // 0: sigma_t is grey in every medium, one optical depth serves three channels
 #define BRUME_COLOR_TAU 1
 #endif
-#ifndef BRUME_METHODS_USED  // bit METHOD_x: some medium uses that method
-#define BRUME_METHODS_USED ((1 << METHOD_COUNT) - 1)
+#ifndef BRUME_METHODS_USED  // bit METHOD_x: some medium uses that method; -1, here and below: every row that there is
+#define BRUME_METHODS_USED (-1)
 #endif
 #ifndef BRUME_JITTER  // some medium marches with jitter
 #define BRUME_JITTER 1
@@ -45,10 +45,10 @@
 #define BRUME_LIGHT_GRID 1
 #endif
 #ifndef BRUME_PHASES_USED  // bit PHASE_x
-#define BRUME_PHASES_USED 0xff
+#define BRUME_PHASES_USED (-1)
 #endif
 #ifndef BRUME_SHAPES_USED  // bit SHAPE_x of the analytic shapes in the scene
-#define BRUME_SHAPES_USED 0xff
+#define BRUME_SHAPES_USED (-1)
 #endif
 #ifndef BRUME_TRIANGLES  // the scene has triangles
 #define BRUME_TRIANGLES 1
@@ -63,11 +63,21 @@
 #define BRUME_MAX_DEPTH 5
 #endif
 #ifndef BRUME_LIGHTS_USED  // bit LIGHT_x
-#define BRUME_LIGHTS_USED 0xff
+#define BRUME_LIGHTS_USED (-1)
 #endif
 
 // For use in C conditions, where the compiler folds them; a preprocessor #if would take the enum's names for 0.
 #define USES_METHOD(id) (((BRUME_METHODS_USED) >> METHOD_##id) & 1)
+
+// The placements and rules of the methods in use, as bits.
+#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
+  | (USES_METHOD(id) ? 1 << PLACEMENT_##placement : 0)
+enum { PLACEMENTS_USED = 0 BRUME_METHODS(ROW) };
+#undef ROW
+#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
+  | (USES_METHOD(id) ? 1 << RULE_##rule : 0)
+enum { RULES_USED = 0 BRUME_METHODS(ROW) };
+#undef ROW
 #define BRUME_RANDOM (BRUME_ROULETTE || BRUME_JITTER || BRUME_TRACKING)
 #define USES_PHASE(id) (((BRUME_PHASES_USED) >> PHASE_##id) & 1)
 #define USES_SHAPE(id) (((BRUME_SHAPES_USED) >> SHAPE_##id) & 1)

@@ -2,6 +2,11 @@
 #ifndef BRUME_PHASE_ISOTROPIC_CL
 #define BRUME_PHASE_ISOTROPIC_CL
 
-static inline float isotropic_eval(void) { return 0.0795774715459477f; }
+static inline float isotropic_eval(float g, float3 before, float3 after) {
+  (void)g;
+  (void)before;
+  (void)after;
+  return 0.0795774715459477f;
+}
 
 #endif

@@ -7,11 +7,13 @@
 #include "phase/isotropic.cl"
 #include "shared/phase.h"
 
-// 1/sr; before and after are unit.
+// 1/sr; before and after are unit. A row without its function does not compile.
 static inline float phase_eval(int phase, float g, float3 before, float3 after) {
-  if (USES_PHASE(HENYEY_GREENSTEIN) && phase == PHASE_HENYEY_GREENSTEIN)
-    return henyey_greenstein_eval(g, before, after);
-  return isotropic_eval();
+#define ROW(id, name, takes_g, help) \
+  if (USES_PHASE(id) && phase == PHASE_##id) return name##_eval(g, before, after);
+  BRUME_PHASES(ROW)
+#undef ROW
+  return 0.0f;
 }
 
 #endif

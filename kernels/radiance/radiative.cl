@@ -47,7 +47,7 @@ static inline void stretch_gains(const Scene* scene, Stretch* s, tau_t sigma_t, 
   floatW before[TAU_CHANNELS];
   s->dense = (intW)(0);
   if (TAKES_ENDS(scene) && scene->frame->in_scattering == IN_SCATTERING_SEGMENT)
-    s->dense = stretch_depth_max(s) > (floatW)(METHOD_IS(s->medium, HOMOGENEOUS) ? TAU_THIN_CONSTANT : TAU_THIN);
+    s->dense = stretch_depth_max(s) > (floatW)(RULE_IS(s->medium, PRODUCT) ? TAU_THIN_CONSTANT : TAU_THIN);
   stretch_before(scene, s, sigma_t, tau, before);
   const floatW integral = lanes_load(s->integral);
   for (int c = 0; c < TAU_CHANNELS; ++c) {
@@ -129,12 +129,12 @@ static inline tau_t medium_scatter(const Scene* scene, int m, float3 origin, flo
 #if BRUME_RANDOM
     for (int i = 0; i < W; ++i) s.id[i] = uncut ? walk_id(&medium, &whole, i) : parts.id[i];
 #endif
-    if (uncut || METHOD_IS(&medium, DDA_GAUSS2)) {
+    if (uncut || RULE_IS(&medium, GAUSS2)) {
       lanes_store(walk_integral(scene, &medium, &ray, s.at), s.integral);
-      if (!METHOD_TRACKS(&medium)) result->lookups += walk_lookups(&medium, s.at);
+      if (!PLACEMENT_IS(&medium, COLLISIONS)) result->lookups += walk_lookups(&medium, s.at);
     }
 #if BRUME_TRACKING
-    if (METHOD_TRACKS(&medium)) {
+    if (PLACEMENT_IS(&medium, COLLISIONS)) {
       track_gains(scene, &s, m, sigma_t, &tau, &others, result);
     } else
 #endif

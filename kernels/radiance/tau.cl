@@ -112,7 +112,7 @@ static inline tau_t medium_tau(const Scene* scene, int m, float3 origin, float3 
   if (!(ray.length > 0.0f)) return (tau_t)(0.0f);
   const Random walk = random_stream(random, (uint)m);
 #if BRUME_TRACKING
-  if (METHOD_TRACKS(&medium)) return track_tau(scene, &medium, &ray, walk, sigma_t, lookups);
+  if (PLACEMENT_IS(&medium, COLLISIONS)) return track_tau(scene, &medium, &ray, walk, sigma_t, lookups);
 #endif
   return sigma_t * walk_total(scene, &medium, &ray, walk, tau_min(sigma_t), lookups);
 }

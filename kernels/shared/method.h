@@ -4,6 +4,7 @@
 #define BRUME_SHARED_METHOD_H
 #include "shared/platform.h"
 
+// What a density is: bits of `fits` and `exact`.
 #define FITS_NEAREST 1
 #define FITS_TRILINEAR 2
 #define FITS_CONSTANT 4
@@ -17,27 +18,44 @@
 // (at most 1): a brick with one hot voxel has a million collisions that hardly scatter.
 #define TRACK_LIGHTS 4.0f
 
-// ROW(ID, name, fits, has a step, draws, help)
-#define BRUME_METHODS(ROW)                                                                                      \
-  ROW(DDA_NEAREST, "dda_nearest", FITS_NEAREST, 0, DRAWS_NOTHING, "voxel by voxel; exact for nearest")          \
-  ROW(DDA_GAUSS2, "dda_gauss2", FITS_TRILINEAR, 0, DRAWS_NOTHING,                                               \
-      "cell by cell, 2-point Gauss-Legendre; exact for trilinear")                                              \
-  ROW(DDA_MIDPOINT, "dda_midpoint", FITS_TRILINEAR, 0, DRAWS_NOTHING, "cell by cell, one sample in the middle") \
-  ROW(MARCH_REGULAR, "march_regular", FITS_NEAREST | FITS_TRILINEAR, 1, DRAWS_NOTHING,                          \
-      "equal steps, one sample where each begins")                                                              \
-  ROW(MARCH_REGULAR_JITTER, "march_regular_jitter", FITS_NEAREST | FITS_TRILINEAR, 1, DRAWS_PLACES,             \
-      "equal steps, one sample anywhere in each")                                                               \
-  ROW(MARCH_MIDPOINT, "march_midpoint", FITS_NEAREST | FITS_TRILINEAR, 1, DRAWS_NOTHING,                        \
-      "equal steps, one sample in the middle of each")                                                          \
-  ROW(MARCH_MIDPOINT_JITTER, "march_midpoint_jitter", FITS_NEAREST | FITS_TRILINEAR, 1, DRAWS_PLACES,           \
-      "equal steps, one sample anywhere in the middle half of each")                                            \
-  ROW(DELTA_TRACKING, "delta_tracking", FITS_NEAREST | FITS_TRILINEAR, 0, DRAWS_COLLISIONS,                     \
-      "to the first collision; unbiased, noisy: transmittance is 0 or 1")                                       \
-  ROW(RATIO_TRACKING, "ratio_tracking", FITS_NEAREST | FITS_TRILINEAR, 0, DRAWS_COLLISIONS,                     \
-      "through all collisions, weakened by each; unbiased")                                                     \
-  ROW(RESIDUAL_RATIO, "residual_ratio", FITS_NEAREST | FITS_TRILINEAR, 0, DRAWS_COLLISIONS,                     \
-      "ratio tracking of what exceeds each brick's smallest density; unbiased")                                 \
-  ROW(HOMOGENEOUS, "homogeneous", FITS_CONSTANT, 1, DRAWS_NOTHING,                                              \
+// Where segments begin and end. PLACEMENT(ID, help)
+#define BRUME_PLACEMENTS(PLACEMENT)                                \
+  PLACEMENT(CELLS, "at the faces of cells, empty bricks left out") \
+  PLACEMENT(STEPS, "equal steps of at most render.step")           \
+  PLACEMENT(COLLISIONS, "at tentative collisions")
+
+// ∫ρ over one. RULE(ID, kernel function NAME_integral, density lookups)
+#define BRUME_RULES(RULE)         \
+  RULE(NEAREST, dda_nearest, 1)   \
+  RULE(GAUSS2, dda_gauss2, 2)     \
+  RULE(MIDPOINT, dda_midpoint, 1) \
+  RULE(SAMPLE, march, 1)          \
+  RULE(PRODUCT, homogeneous, 0)
+
+// ROW(ID, name, densities that it fits, placement, rule, share of a segment before its sample, over how much more of it the sample is
+// drawn, draws, densities for which it is exact, help). `auto` takes the first that is exact.
+#define BRUME_METHODS(ROW)                                                                                          \
+  ROW(DDA_NEAREST, "dda_nearest", FITS_NEAREST, CELLS, NEAREST, 0.5f, 0.0f, DRAWS_NOTHING, FITS_NEAREST,            \
+      "voxel by voxel; exact for nearest")                                                                          \
+  ROW(DDA_GAUSS2, "dda_gauss2", FITS_TRILINEAR, CELLS, GAUSS2, 0.5f, 0.0f, DRAWS_NOTHING, FITS_TRILINEAR,           \
+      "cell by cell, 2-point Gauss-Legendre; exact for trilinear")                                                  \
+  ROW(DDA_MIDPOINT, "dda_midpoint", FITS_TRILINEAR, CELLS, MIDPOINT, 0.5f, 0.0f, DRAWS_NOTHING, 0,                  \
+      "cell by cell, one sample in the middle")                                                                     \
+  ROW(MARCH_REGULAR, "march_regular", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.0f, 0.0f, DRAWS_NOTHING, 0,   \
+      "equal steps, one sample where each begins")                                                                  \
+  ROW(MARCH_REGULAR_JITTER, "march_regular_jitter", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.0f, 1.0f,       \
+      DRAWS_PLACES, 0, "equal steps, one sample anywhere in each")                                                  \
+  ROW(MARCH_MIDPOINT, "march_midpoint", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.5f, 0.0f, DRAWS_NOTHING, 0, \
+      "equal steps, one sample in the middle of each")                                                              \
+  ROW(MARCH_MIDPOINT_JITTER, "march_midpoint_jitter", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.25f, 0.5f,    \
+      DRAWS_PLACES, 0, "equal steps, one sample anywhere in the middle half of each")                               \
+  ROW(DELTA_TRACKING, "delta_tracking", FITS_NEAREST | FITS_TRILINEAR, COLLISIONS, SAMPLE, 0.0f, 0.0f,              \
+      DRAWS_COLLISIONS, 0, "to the first collision; unbiased, noisy: transmittance is 0 or 1")                      \
+  ROW(RATIO_TRACKING, "ratio_tracking", FITS_NEAREST | FITS_TRILINEAR, COLLISIONS, SAMPLE, 0.0f, 0.0f,              \
+      DRAWS_COLLISIONS, 0, "through all collisions, weakened by each; unbiased")                                    \
+  ROW(RESIDUAL_RATIO, "residual_ratio", FITS_NEAREST | FITS_TRILINEAR, COLLISIONS, SAMPLE, 0.0f, 0.0f,              \
+      DRAWS_COLLISIONS, 0, "ratio tracking of what exceeds each brick's smallest density; unbiased")                \
+  ROW(HOMOGENEOUS, "homogeneous", FITS_CONSTANT, STEPS, PRODUCT, 0.5f, 0.0f, DRAWS_NOTHING, FITS_CONSTANT,          \
       "closed form for a constant density (also cut to a sphere); equal steps for the light")
 
 // How the light scattered along a segment is summed.
@@ -68,11 +86,92 @@ enum Storage {
       STORAGE_COUNT
 };
 enum Method {
-#define ROW(id, name, fits, step, draws, help) METHOD_##id,
+#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) METHOD_##id,
   BRUME_METHODS(ROW)
 #undef ROW
       METHOD_COUNT
 };
+enum Placement {
+#define PLACEMENT(id, help) PLACEMENT_##id,
+  BRUME_PLACEMENTS(PLACEMENT)
+#undef PLACEMENT
+      PLACEMENT_COUNT
+};
+enum Rule {
+#define RULE(id, function, lookups) RULE_##id,
+  BRUME_RULES(RULE)
+#undef RULE
+      RULE_COUNT
+};
+
+// Columns of the table above.
+#define COLUMN(type, function, value)       \
+  static inline type function(int method) { \
+    switch (method) {                       \
+      BRUME_METHODS(value)                  \
+      default:                              \
+        return 0;                           \
+    }                                       \
+  }
+#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
+  case METHOD_##id:                                                             \
+    return fits;
+COLUMN(int, method_fits, ROW)
+#undef ROW
+#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
+  case METHOD_##id:                                                             \
+    return PLACEMENT_##placement;
+COLUMN(int, method_placement, ROW)
+#undef ROW
+#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
+  case METHOD_##id:                                                             \
+    return RULE_##rule;
+COLUMN(int, method_rule, ROW)
+#undef ROW
+#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
+  case METHOD_##id:                                                             \
+    return share;
+COLUMN(float, method_share, ROW)
+#undef ROW
+#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
+  case METHOD_##id:                                                             \
+    return jitter;
+COLUMN(float, method_jitter, ROW)
+#undef ROW
+#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
+  case METHOD_##id:                                                             \
+    return draws;
+COLUMN(int, method_draws, ROW)
+#undef ROW
+#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
+  case METHOD_##id:                                                             \
+    return exact;
+COLUMN(int, method_exact_for, ROW)
+#undef ROW
+#undef COLUMN
+
+// Density lookups of one segment by a rule.
+static inline int rule_lookups(int rule) {
+  switch (rule) {
+#define RULE(id, function, lookups) \
+  case RULE_##id:                   \
+    return lookups;
+    BRUME_RULES(RULE)
+#undef RULE
+    default:
+      return 0;
+  }
+}
+
+static inline int method_has_step(int method) { return method_placement(method) == PLACEMENT_STEPS; }
+static inline int method_tracks(int method) { return method_placement(method) == PLACEMENT_COLLISIONS; }
+
+// `auto`: the first method that is exact for one of these densities (FITS_x bits).
+static inline int method_exact_of(int fits) {
+  for (int method = 0; method < METHOD_COUNT; ++method)
+    if (method_exact_for(method) & fits) return method;
+  return METHOD_COUNT;
+}
 enum InScattering {
 #define ROW(id, name, help) IN_SCATTERING_##id,
   BRUME_IN_SCATTERINGS(ROW)

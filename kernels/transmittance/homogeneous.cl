@@ -17,7 +17,10 @@ static inline void homogeneous_fill(Steps* s, Segments* out) {
   segments_pad(out);
 }
 
-static inline floatW homogeneous_integral(const Medium* medium, const Segments* at) {
+static inline floatW homogeneous_integral(const Medium* medium, __global const voxel_t* voxels, const MediumRay* ray,
+                                          const Segments* at) {
+  (void)voxels;
+  (void)ray;
   return medium->constant_density * lanes_load(at->size);
 }
 

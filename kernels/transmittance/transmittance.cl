@@ -8,20 +8,15 @@
 #include "transmittance/march.cl"
 #include "transmittance/tracking.cl"
 
-// True for the method of this medium; folds to a constant when the scene uses one method only.
+// True for the method, placement or rule of this medium; folds to a constant when the scene uses one only, and code for those that it
+// does not use falls away.
 #define METHOD_IS(medium, id) \
   (USES_METHOD(id) && ((BRUME_METHODS_USED) == (1 << METHOD_##id) || (medium)->method == METHOD_##id))
-
-#define METHOD_MARCHES(medium)                                              \
-  (METHOD_IS(medium, MARCH_MIDPOINT) || METHOD_IS(medium, MARCH_REGULAR) || \
-   METHOD_IS(medium, MARCH_MIDPOINT_JITTER) || METHOD_IS(medium, MARCH_REGULAR_JITTER))
-
-#if BRUME_TRACKING
-#define METHOD_TRACKS(medium) \
-  (METHOD_IS(medium, DELTA_TRACKING) || METHOD_IS(medium, RATIO_TRACKING) || METHOD_IS(medium, RESIDUAL_RATIO))
-#else
-#define METHOD_TRACKS(medium) 0
-#endif
+#define PLACEMENT_IS(medium, id)                \
+  (((PLACEMENTS_USED >> PLACEMENT_##id) & 1) && \
+   (PLACEMENTS_USED == (1 << PLACEMENT_##id) || method_placement((medium)->method) == PLACEMENT_##id))
+#define RULE_IS(medium, id) \
+  (((RULES_USED >> RULE_##id) & 1) && (RULES_USED == (1 << RULE_##id) || method_rule((medium)->method) == RULE_##id))
 
 typedef struct {
   Dda dda;
@@ -31,18 +26,11 @@ typedef struct {
 #endif
 } Walk;
 
-static inline Steps walk_steps(const Medium* medium, const MediumRay* ray, Random random) {
-  if (METHOD_IS(medium, MARCH_REGULAR)) return steps_begin(medium, ray, random, 0.0f, 0.0f);
-  if (METHOD_IS(medium, MARCH_REGULAR_JITTER)) return steps_begin(medium, ray, random, 0.0f, 1.0f);
-  if (METHOD_IS(medium, MARCH_MIDPOINT_JITTER)) return steps_begin(medium, ray, random, 0.25f, 0.5f);
-  return steps_begin(medium, ray, random, 0.5f, 0.0f);
-}
-
 // only_tau: nobody asks for light along the way.
 static inline Walk walk_begin(const Medium* medium, const MediumRay* ray, Random random, int only_tau) {
   Walk w;
-  if (!METHOD_MARCHES(medium)) w.dda = dda_begin(medium, ray, 0.0f);
-  w.steps = walk_steps(medium, ray, random);
+  if (!PLACEMENT_IS(medium, STEPS)) w.dda = dda_begin(medium, ray, 0.0f);
+  w.steps = steps_begin(medium, ray, random, method_share(medium->method), method_jitter(medium->method));
 #if BRUME_TRACKING
   w.track = track_begin(medium, random, METHOD_IS(medium, RESIDUAL_RATIO), only_tau);
 #endif
@@ -51,12 +39,12 @@ static inline Walk walk_begin(const Medium* medium, const MediumRay* ray, Random
 
 // The next up to W segments in order along the ray; count 0 at the end.
 static inline void walk_next(const Scene* scene, const Medium* medium, const MediumRay* ray, Walk* w, Segments* out) {
-  if (METHOD_IS(medium, HOMOGENEOUS)) {
+  if (RULE_IS(medium, PRODUCT)) {
     homogeneous_fill(&w->steps, out);
-  } else if (METHOD_MARCHES(medium)) {
+  } else if (PLACEMENT_IS(medium, STEPS)) {
     steps_fill(scene, medium, ray, &w->steps, out);
 #if BRUME_TRACKING
-  } else if (METHOD_TRACKS(medium)) {
+  } else if (PLACEMENT_IS(medium, COLLISIONS)) {
     track_fill(scene, medium, &w->dda, &w->track, out);
 #endif
   } else {
@@ -64,24 +52,27 @@ static inline void walk_next(const Scene* scene, const Medium* medium, const Med
   }
 }
 
-// ∫ρ over each of the segments, in world length.
+// ∫ρ over each of the segments, in world length. A rule without its function does not compile.
 static inline floatW walk_integral(const Scene* scene, const Medium* medium, const MediumRay* ray, const Segments* at) {
-  if (METHOD_IS(medium, HOMOGENEOUS)) return homogeneous_integral(medium, at);
-  if (METHOD_MARCHES(medium) || METHOD_TRACKS(medium)) return march_integral(medium, scene->voxels, ray, at);
-  if (METHOD_IS(medium, DDA_NEAREST)) return dda_nearest_integral(scene->voxels, ray, at);
-  if (METHOD_IS(medium, DDA_MIDPOINT)) return dda_midpoint_integral(scene->voxels, ray, at);
-  return dda_gauss2_integral(scene->voxels, ray, at);
+#define RULE(id, function, lookups) \
+  if (RULE_IS(medium, id)) return function##_integral(medium, scene->voxels, ray, at);
+  BRUME_RULES(RULE)
+#undef RULE
+  return (floatW)(0.0f);
 }
 
 static inline uint walk_lookups(const Medium* medium, const Segments* at) {
-  if (METHOD_IS(medium, HOMOGENEOUS)) return 0;
-  return (uint)at->count * (METHOD_IS(medium, DDA_GAUSS2) ? 2 : 1);
+#define RULE(id, function, lookups) \
+  if (RULE_IS(medium, id)) return (uint)at->count * (lookups);
+  BRUME_RULES(RULE)
+#undef RULE
+  return 0;
 }
 
 #if BRUME_RANDOM
 // What names the random numbers of segment i.
 static inline uint walk_id(const Medium* medium, const Segments* at, int i) {
-  if (METHOD_IS(medium, HOMOGENEOUS) || METHOD_MARCHES(medium) || METHOD_TRACKS(medium)) return at->id[i];
+  if (!PLACEMENT_IS(medium, CELLS)) return at->id[i];
   return ((uint)(int)at->x[i] * 0x8DA6B343u) ^ ((uint)(int)at->y[i] * 0xD8163841u) ^
          ((uint)(int)at->z[i] * 0xCB1AB31Fu);
 }
@@ -93,7 +84,7 @@ static inline uint walk_id(const Medium* medium, const Segments* at, int i) {
 static inline float walk_total(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random,
                                float sigma, uint* lookups) {
   if (!(ray->length > 0.0f)) return 0.0f;
-  if (METHOD_IS(medium, HOMOGENEOUS)) return homogeneous_total(medium, ray);
+  if (RULE_IS(medium, PRODUCT)) return homogeneous_total(medium, ray);
   Walk walk = walk_begin(medium, ray, random, 1);
   Segments at;
   float total = 0.0f;

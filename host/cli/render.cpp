@@ -77,6 +77,7 @@ int render_run(RenderArguments arguments) {
       return !interrupt_requested();
     });
   }
+  if (const std::string note = dropped_note(renderer.stats()); !note.empty()) say(arguments, "note: " + note);
   write_outputs(arguments, desc, flat, film, context, renderer.stats());
   times.total_s = total.seconds();
   if (!arguments.stats.empty())

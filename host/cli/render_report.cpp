@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/families.hpp"
+#include "shared/material.h"
 #include "version.hpp"
 
 namespace brume {
@@ -38,6 +39,7 @@ std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, cons
       {"total_s", times.total_s},
       {"rays", {{"primary", stats.primary_rays}, {"secondary", stats.secondary_rays}, {"shadow", stats.shadow_rays}}},
       {"lookups", stats.lookups},
+      {"dropped_weight", stats.primary_rays > 0 ? stats.dropped / stats.primary_rays : 0},
       {"passes", passes},
       {"memory",
        {{"device_bytes", stats.device_bytes}, {"voxel_bytes", stats.voxel_bytes}, {"bvh_bytes", stats.bvh_bytes}}},
@@ -50,6 +52,19 @@ ImageMetadata render_metadata(const SceneDesc& desc, const FlatScene& flat, cons
   return {{"scene", desc.file.string()}, {"method", method_name(flat)},          {"device", device.title()},
           {"driver", device.driver},     {"lanes", std::to_string(stats.lanes)}, {"spp", std::to_string(desc.film.spp)},
           {"version", VERSION}};
+}
+
+std::string dropped_note(const RenderStats& stats) {
+  constexpr double TOLD = 1e-3;  // of a sample's light, in the mean
+  const double mean = stats.primary_rays > 0 ? stats.dropped / stats.primary_rays : 0;
+  if (mean < TOLD) return "";
+  char text[256];
+  std::snprintf(
+      text, sizeof text,
+      "secondary rays that carry %.2g %% of what a sample sees were left out: no more than %d follow one camera "
+      "ray; a smaller max_depth asks for fewer",
+      100 * mean, PATHS_MAX);
+  return text;
 }
 
 std::string render_summary(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,

@@ -58,6 +58,7 @@ void pixel_add(PixelD& sum, const PixelD& sample) {
   sum.hits += sample.hits;
   sum.lookups += sample.lookups;
   sum.key += sample.key;
+  sum.dropped += sample.dropped;
 }
 
 Packed3 pack(const dvec3& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
@@ -72,76 +73,101 @@ FilmPixel film_pixel(const PixelD& p) {
   pixel.hits = static_cast<float>(p.hits);
   pixel.lookups = static_cast<float>(p.lookups);
   pixel.key = p.key;
+  pixel.dropped = static_cast<float>(p.dropped);
   return pixel;
 }
 
-PixelD path_render(const Context& context, const RayD& ray, const RandomStream& random, int depth);
+// A ray that a surface sends on.
+struct Path {
+  RayD ray;
+  dvec3 weight;  // of its light in the sample
+  RandomStream random;
+  int depth;  // bounces before it
+};
 
-// The light of one ray that a surface sends on, times its weight; all that it adds to the sample.
-void path_add(const Context& context, const SurfaceD& surface, const dvec3& dir, const dvec3& weight,
-              const RandomStream& random, int depth, PixelD& sample) {
-  const dvec3 unit = glm::normalize(dir);
-  const PixelD further = path_render(context, {surface_leave(surface, unit), unit}, random, depth);
-  sample.radiance += weight * further.radiance;
-  sample.lookups += further.lookups;
-  sample.key += further.key;
-}
+// The rays of one sample: those that are still to be followed, and those that are left out.
+struct Paths {
+  std::vector<Path> waiting;
+  int left = PATHS_MAX;
+  double dropped = 0;
+
+  void add(const SurfaceD& surface, const dvec3& dir, const dvec3& weight, const RandomStream& random, int depth) {
+    const double largest = std::max({weight.x, weight.y, weight.z});
+    if (!(largest > 0)) return;
+    if (largest < PATH_WEIGHT_MIN || left == 0) {
+      dropped += largest;
+      return;
+    }
+    --left;
+    const dvec3 unit = glm::normalize(dir);
+    waiting.push_back({{surface_leave(surface, unit), unit}, weight, random, depth});
+  }
+};
 
 // Reflected and refracted light [Whitted80]. Total reflection gives the refracted weight to the reflected ray.
-void specular_add(const Context& context, const SurfaceD& surface, const RayD& ray, const RandomStream& random,
-                  int depth, PixelD& sample) {
+void specular_add(const Context& context, const SurfaceD& surface, const Path& path, const dvec3& transmittance,
+                  Paths& paths) {
   const Material& material = context.scene.materials[static_cast<std::size_t>(surface.material)];
   double reflection = material.reflection;
   const double refraction = material.refraction, ior = material.ior;
-  if (depth >= context.scene.frame.max_depth || !(reflection > 0 || refraction > 0)) return;
-  const dvec3 transmittance = sample.transmittance;
+  if (path.depth >= context.scene.frame.max_depth) return;
+  const dvec3 weight = path.weight * transmittance, &dir = path.ray.dir;
   if (refraction > 0) {
-    const double eta = surface.leaving ? ior : 1 / ior, cosine = -glm::dot(surface.normal, ray.dir);
+    const double eta = surface.leaving ? ior : 1 / ior, cosine = -glm::dot(surface.normal, dir);
     const double squared = 1 - eta * eta * (1 - cosine * cosine);
     if (squared >= 0)
-      path_add(context, surface, eta * ray.dir + (eta * cosine - std::sqrt(squared)) * surface.normal,
-               refraction * transmittance, random.child(STREAM_REFRACT), depth + 1, sample);
+      paths.add(surface, eta * dir + (eta * cosine - std::sqrt(squared)) * surface.normal, refraction * weight,
+                path.random.child(STREAM_REFRACT), path.depth + 1);
     else
       reflection += refraction;
   }
   if (reflection > 0)
-    path_add(context, surface, glm::reflect(ray.dir, surface.normal), reflection * transmittance,
-             random.child(STREAM_REFLECT), depth + 1, sample);
+    paths.add(surface, glm::reflect(dir, surface.normal), reflection * weight, path.random.child(STREAM_REFLECT),
+              path.depth + 1);
 }
 
-// depth: bounces before this ray.
-PixelD path_render(const Context& context, const RayD& ray, const RandomStream& random, int depth) {
+// The light of one ray, times its weight, and the key of what it meets; what the surface sends on goes to `paths`. A sample's own
+// values (normal, depth, transmittance) are those of its camera ray.
+void path_follow(const Context& context, const Path& path, Paths& paths, PixelD& sample) {
   const FlatScene& scene = context.scene;
-  const HitD hit = nearest_hit(scene, context.bounds, ray);
-  const Scattered media = media_scatter(context, ray, hit.t, random);
-
-  PixelD sample;
-  sample.samples = 1;
-  sample.transmittance = transmittance_of(media.tau);
-  sample.lookups = media.lookups;
-  if (hit.primitive == PRIMITIVE_NONE) {
-    sample.radiance = media.radiance + sample.transmittance * vec_promote(scene.frame.background);
-    sample.key = sample_key(hit.primitive, 0, walked(context, media.shadow_key, sample.lookups), 0) *
-                 static_cast<uint>(2 * depth + 1);
-    return sample;
+  const HitD hit = nearest_hit(scene, context.bounds, path.ray);
+  const Scattered media = media_scatter(context, path.ray, hit.t, path.random);
+  const dvec3 transmittance = transmittance_of(media.tau);
+  double lookups = media.lookups;
+  Lit lit{vec_promote(scene.frame.background), 0};
+  int checker = 0;
+  if (hit.primitive != PRIMITIVE_NONE) {
+    const SurfaceD surface = surface_at(scene, path.ray, hit);
+    lit = surface_light(context, surface, path.ray.dir, path.random, lookups);
+    checker = surface.checker;
+    specular_add(context, surface, path, transmittance, paths);
+    if (path.depth == 0) {
+      sample.normal = surface.normal;
+      sample.depth = hit.t;
+      sample.hits = 1;
+    }
   }
-  const SurfaceD surface = surface_at(scene, ray, hit);
-  const Lit lit = surface_light(context, surface, ray.dir, random, sample.lookups);
-  sample.normal = surface.normal;
-  sample.depth = hit.t;
-  sample.hits = 1;
-  sample.radiance = media.radiance + sample.transmittance * lit.radiance;
-  sample.key =
-      sample_key(hit.primitive, lit.lights, walked(context, media.shadow_key, sample.lookups), surface.checker) *
-      static_cast<uint>(2 * depth + 1);
-  specular_add(context, surface, ray, random, depth, sample);
-  return sample;
+  if (path.depth == 0) sample.transmittance = transmittance;
+  sample.radiance += path.weight * (media.radiance + transmittance * lit.radiance);
+  sample.lookups += lookups;
+  sample.key += sample_key(hit.primitive, lit.lights, walked(context, media.shadow_key, lookups), checker) *
+                static_cast<uint>(2 * path.depth + 1);
 }
 
 }  // namespace
 
 PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& random) {
-  return path_render(context, ray, random, 0);
+  PixelD sample;
+  sample.samples = 1;
+  Paths paths;
+  paths.waiting.push_back({ray, dvec3(1), random, 0});
+  while (!paths.waiting.empty()) {
+    const Path path = paths.waiting.back();
+    paths.waiting.pop_back();
+    path_follow(context, path, paths, sample);
+  }
+  sample.dropped = paths.dropped;
+  return sample;
 }
 
 PixelD pixel_render(const Context& context, int x, int y) {

@@ -27,6 +27,7 @@ struct RenderStats {
   int lanes = 0;
   double kernel_build_s = 0, upload_s = 0, render_s = 0;
   double primary_rays = 0, secondary_rays = 0, shadow_rays = 0, lookups = 0;
+  double dropped = 0;  // weight of the secondary rays that were left out, a sum over all samples (shared/material.h)
   std::vector<PassStats> passes;
   std::size_t device_bytes = 0, voxel_bytes = 0, bvh_bytes = 0;
 };

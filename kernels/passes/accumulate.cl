@@ -14,7 +14,7 @@ static inline void packed_add(Packed3* sum, Packed3 v) {
 static inline FilmPixel pixel_empty(void) {
   FilmPixel p;
   p.radiance = p.normal = p.transmittance = vec_pack((float3)(0.0f));
-  p.samples = p.depth = p.hits = p.lookups = p.shadow_rays = p.secondary_rays = 0.0f;
+  p.samples = p.depth = p.hits = p.lookups = p.shadow_rays = p.secondary_rays = p.dropped = 0.0f;
   p.key = 0;
   return p;
 }
@@ -36,6 +36,7 @@ __kernel void accumulate(uint first_pixel, uint pixels, uint first_sample, uint 
     sum.lookups += (float)results[item].lookups;
     sum.shadow_rays += (float)results[item].shadow_rays;
     sum.secondary_rays += (float)results[item].secondary_rays;
+    sum.dropped += results[item].dropped;
     sum.key += sample.key;
     if (hits[item].primitive != PRIMITIVE_NONE) {
       sum.depth += hits[item].t;

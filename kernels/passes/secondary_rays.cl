@@ -12,11 +12,18 @@ typedef struct {
 typedef struct {
   PathRay rays[BRUME_MAX_DEPTH + 1];  // each ray that is taken leaves at most two, one level deeper
   int count;
+  int left;       // rays that may still follow
+  float dropped;  // weight of those that may not
 } PathStack;
 
 static inline void path_push(PathStack* stack, const Surface* surface, float3 dir, float3 weight, Random random,
                              int depth) {
   if (!(vec_max(weight) > 0.0f)) return;
+  if (vec_max(weight) < PATH_WEIGHT_MIN || stack->left == 0) {
+    stack->dropped += vec_max(weight);
+    return;
+  }
+  --stack->left;
   PathRay ray;
   ray.dir = normalize(dir);
   ray.origin = surface_leave(surface, ray.dir);
@@ -93,12 +100,14 @@ __kernel void secondary_rays(SCENE_ARGS, uint count, __global const Ray* rays, _
   const Shading first = shading_begin(&scene, &ray, &hit);
   PathStack stack;
   stack.count = 0;
+  stack.left = PATHS_MAX;
+  stack.dropped = 0.0f;
   MediumResult sum = results[item];
   path_continue(&scene, &stack, &first, vec_unpack(sum.transmittance), random_begin(frame, ray.pixel, ray.sample), 1);
-  if (stack.count == 0) return;
   float3 radiance = (float3)(0.0f);
   uint key = 0;
   while (stack.count > 0) radiance += path_follow(&scene, &stack, &sum, &key);
+  sum.dropped = stack.dropped;
   results[item] = sum;
   samples[item].radiance = vec_pack(vec_unpack(samples[item].radiance) + radiance);
   samples[item].key += key;

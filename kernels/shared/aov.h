@@ -31,7 +31,8 @@ typedef struct {
   uint key;
   float shadow_rays;
   float secondary_rays;
+  float dropped;  // weight of the secondary rays that were left out (shared/material.h)
 } FilmPixel;
-BRUME_LAYOUT(FilmPixel, 64);
+BRUME_LAYOUT(FilmPixel, 68);
 BRUME_SHARED_END
 #endif

@@ -29,7 +29,8 @@ typedef struct {
       shadow_key;  // counts the samples whose light was blocked by a surface: two renderers agree on it or sit at an edge
   uint shadow_rays;
   uint secondary_rays;
-  uint pad[2];
+  float dropped;  // weight of the secondary rays that were left out
+  uint pad;
 } MediumResult;
 BRUME_LAYOUT(MediumResult, 48);
 

@@ -33,7 +33,7 @@ TEST_F(BadInput, Scenes) {
       {R"({"render": {"method": "magic"}})", "unknown method 'magic'; known: auto, dda_nearest"},
       {R"({"render": {"step": 0}})", "a.json: /render/step: expected"},
       {R"({"film": {"size": [512, 512]}, "lights": [{"type": "directional", "direction": [0, -1, 0]}],
-           "media": [{"density": {"type": "linear"}}], "render": {"method": "march_midpoint", "step": 1e-6}})",
+           "media": [{"density": {"type": "linear"}, "sigma_s": 1}], "render": {"method": "march_midpoint", "step": 1e-6}})",
        "1732051 steps a ray and 8e+17 density lookups"},
       {R"({"render": {"method": "dda_nearest"}, "media": [{"density": {"type": "linear"}}]})", "these do: auto"},
       {R"({"media": [{"density": {"type": "file", "path": "none.vdb"}}]})", "none.vdb"},

@@ -77,6 +77,7 @@ int render_run(RenderArguments arguments) {
       return !interrupt_requested();
     });
   }
+  if (renderer.stats().dropped_rays > 0) say(arguments, "note: " + dropped_note(renderer.stats()));
   write_outputs(arguments, desc, flat, film, context, renderer.stats());
   times.total_s = total.seconds();
   if (!arguments.stats.empty())

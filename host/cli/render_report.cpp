@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/families.hpp"
+#include "shared/ray.h"
 #include "version.hpp"
 
 namespace brume {
@@ -36,7 +37,11 @@ std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, cons
       {"upload_s", stats.upload_s},
       {"render_s", stats.render_s},
       {"total_s", times.total_s},
-      {"rays", {{"primary", stats.primary_rays}, {"secondary", stats.secondary_rays}, {"shadow", stats.shadow_rays}}},
+      {"rays",
+       {{"primary", stats.primary_rays},
+        {"secondary", stats.secondary_rays},
+        {"shadow", stats.shadow_rays},
+        {"dropped", stats.dropped_rays}}},
       {"lookups", stats.lookups},
       {"passes", passes},
       {"memory",
@@ -50,6 +55,15 @@ ImageMetadata render_metadata(const SceneDesc& desc, const FlatScene& flat, cons
   return {{"scene", desc.file.string()}, {"method", method_name(flat)},          {"device", device.title()},
           {"driver", device.driver},     {"lanes", std::to_string(stats.lanes)}, {"spp", std::to_string(desc.film.spp)},
           {"version", VERSION}};
+}
+
+std::string dropped_note(const RenderStats& stats) {
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "%.0f reflected and refracted rays were dropped, a sample may send on %d; together they weigh %.2g %% "
+                "of a sample in the mean",
+                stats.dropped_rays, SECONDARY_RAYS_MAX, 100 * stats.dropped_weight / stats.primary_rays);
+  return text;
 }
 
 std::string render_summary(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,

@@ -11,6 +11,7 @@
 #include "reference/sampling.hpp"
 #include "reference/surface.hpp"
 #include "reference/tracking.hpp"
+#include "shared/ray.h"
 
 namespace brume::reference {
 namespace {
@@ -57,6 +58,8 @@ void pixel_add(PixelD& sum, const PixelD& sample) {
   sum.depth += sample.depth;
   sum.hits += sample.hits;
   sum.lookups += sample.lookups;
+  sum.dropped_rays += sample.dropped_rays;
+  sum.dropped_weight += sample.dropped_weight;
   sum.key += sample.key;
 }
 
@@ -72,45 +75,71 @@ FilmPixel film_pixel(const PixelD& p) {
   pixel.hits = static_cast<float>(p.hits);
   pixel.lookups = static_cast<float>(p.lookups);
   pixel.key = p.key;
+  pixel.dropped_rays = static_cast<float>(p.dropped_rays);
+  pixel.dropped_weight = static_cast<float>(p.dropped_weight);
   return pixel;
 }
 
-PixelD path_render(const Context& context, const RayD& ray, const RandomStream& random, int depth);
+// depth: bounces before a ray. heirs: how many rays it may send on, those that these send on included; in single precision, as in the
+// kernels, so that both drop the same rays. weight: of its light in the sample.
+struct PathState {
+  RandomStream random;
+  int depth = 0;
+  float heirs = INFINITY;
+  dvec3 weight{1};
+};
 
-// The light of one ray that a surface sends on, times its weight; all that it adds to the sample.
-void path_add(const Context& context, const SurfaceD& surface, const dvec3& dir, const dvec3& weight,
-              const RandomStream& random, int depth, PixelD& sample) {
+PixelD path_render(const Context& context, const RayD& ray, const PathState& path);
+
+// The light of one ray that a surface sends on, times `factor`; all that it adds to the sample.
+void path_add(const Context& context, const SurfaceD& surface, const dvec3& dir, const dvec3& factor, PathState path,
+              PixelD& sample) {
   const dvec3 unit = glm::normalize(dir);
-  const PixelD further = path_render(context, {surface_leave(surface, unit), unit}, random, depth);
-  sample.radiance += weight * further.radiance;
+  path.weight *= factor;
+  const double largest = std::max({path.weight.x, path.weight.y, path.weight.z});
+  if (!(path.heirs >= 1)) {
+    sample.dropped_rays += largest > 0;
+    sample.dropped_weight += largest;
+    return;
+  }
+  path.heirs -= 1;
+  ++path.depth;
+  const PixelD further = path_render(context, {surface_leave(surface, unit), unit}, path);
+  sample.radiance += factor * further.radiance;
   sample.lookups += further.lookups;
+  sample.dropped_rays += further.dropped_rays;
+  sample.dropped_weight += further.dropped_weight;
   sample.key += further.key;
 }
 
 // Reflected and refracted light [Whitted80]. Total reflection gives the refracted weight to the reflected ray.
-void specular_add(const Context& context, const SurfaceD& surface, const RayD& ray, const RandomStream& random,
-                  int depth, PixelD& sample) {
+void specular_add(const Context& context, const SurfaceD& surface, const RayD& ray, const PathState& path,
+                  PixelD& sample) {
   const Material& material = context.scene.materials[static_cast<std::size_t>(surface.material)];
-  double reflection = material.reflection;
-  const double refraction = material.refraction, ior = material.ior;
-  if (depth >= context.scene.frame.max_depth || !(reflection > 0 || refraction > 0)) return;
+  float reflection = material.reflection;
+  const float refraction = material.refraction, both = reflection + refraction;
+  const double ior = material.ior;
+  if (path.depth >= context.scene.frame.max_depth || !(both > 0)) return;
   const dvec3 transmittance = sample.transmittance;
+  const auto add = [&](const dvec3& dir, float share, uint stream) {
+    PathState next = path;
+    next.random = path.random.child(stream);
+    next.heirs = path.heirs * (share / both);
+    path_add(context, surface, dir, double(share) * transmittance, next, sample);
+  };
   if (refraction > 0) {
     const double eta = surface.leaving ? ior : 1 / ior, cosine = -glm::dot(surface.normal, ray.dir);
     const double squared = 1 - eta * eta * (1 - cosine * cosine);
     if (squared >= 0)
-      path_add(context, surface, eta * ray.dir + (eta * cosine - std::sqrt(squared)) * surface.normal,
-               refraction * transmittance, random.child(STREAM_REFRACT), depth + 1, sample);
+      add(eta * ray.dir + (eta * cosine - std::sqrt(squared)) * surface.normal, refraction, STREAM_REFRACT);
     else
-      reflection += refraction;
+      reflection = both;
   }
-  if (reflection > 0)
-    path_add(context, surface, glm::reflect(ray.dir, surface.normal), reflection * transmittance,
-             random.child(STREAM_REFLECT), depth + 1, sample);
+  if (reflection > 0) add(glm::reflect(ray.dir, surface.normal), reflection, STREAM_REFLECT);
 }
 
-// depth: bounces before this ray.
-PixelD path_render(const Context& context, const RayD& ray, const RandomStream& random, int depth) {
+PixelD path_render(const Context& context, const RayD& ray, const PathState& path) {
+  const RandomStream& random = path.random;
   const FlatScene& scene = context.scene;
   const HitD hit = nearest_hit(scene, context.bounds, ray);
   const Scattered media = media_scatter(context, ray, hit.t, random);
@@ -122,7 +151,7 @@ PixelD path_render(const Context& context, const RayD& ray, const RandomStream& 
   if (hit.primitive == PRIMITIVE_NONE) {
     sample.radiance = media.radiance + sample.transmittance * vec_promote(scene.frame.background);
     sample.key = sample_key(hit.primitive, 0, walked(context, media.shadow_key, sample.lookups), 0) *
-                 static_cast<uint>(2 * depth + 1);
+                 static_cast<uint>(2 * path.depth + 1);
     return sample;
   }
   const SurfaceD surface = surface_at(scene, ray, hit);
@@ -133,15 +162,16 @@ PixelD path_render(const Context& context, const RayD& ray, const RandomStream& 
   sample.radiance = media.radiance + sample.transmittance * lit.radiance;
   sample.key =
       sample_key(hit.primitive, lit.lights, walked(context, media.shadow_key, sample.lookups), surface.checker) *
-      static_cast<uint>(2 * depth + 1);
-  specular_add(context, surface, ray, random, depth, sample);
+      static_cast<uint>(2 * path.depth + 1);
+  specular_add(context, surface, ray, path, sample);
   return sample;
 }
 
 }  // namespace
 
 PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& random) {
-  return path_render(context, ray, random, 0);
+  const bool whole = context.scene.frame.max_depth <= SECONDARY_DEPTH_WHOLE;
+  return path_render(context, ray, {random, 0, whole ? INFINITY : float(SECONDARY_RAYS_MAX), dvec3(1)});
 }
 
 PixelD pixel_render(const Context& context, int x, int y) {

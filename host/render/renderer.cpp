@@ -22,6 +22,8 @@ void count_work(const Film& film, const Frame& frame, RenderStats& stats) {
       stats.lookups += p.lookups;
       stats.shadow_rays += p.shadow_rays;
       stats.secondary_rays += p.secondary_rays;
+      stats.dropped_rays += p.dropped_rays;
+      stats.dropped_weight += p.dropped_weight;
     }
 }
 

@@ -27,6 +27,7 @@ struct RenderStats {
   int lanes = 0;
   double kernel_build_s = 0, upload_s = 0, render_s = 0;
   double primary_rays = 0, secondary_rays = 0, shadow_rays = 0, lookups = 0;
+  double dropped_rays = 0, dropped_weight = 0;  // FilmPixel::dropped_rays, dropped_weight
   std::vector<PassStats> passes;
   std::size_t device_bytes = 0, voxel_bytes = 0, bvh_bytes = 0;
 };

@@ -31,7 +31,9 @@ typedef struct {
   uint key;
   float shadow_rays;
   float secondary_rays;
+  float dropped_rays;  // as in MediumResult
+  float dropped_weight;
 } FilmPixel;
-BRUME_LAYOUT(FilmPixel, 64);
+BRUME_LAYOUT(FilmPixel, 72);
 BRUME_SHARED_END
 #endif

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "check/check_images.hpp"
 #include "check/check_parts.hpp"
 #include "cl/program.hpp"
@@ -99,7 +100,10 @@ std::vector<CheckRow> check_run(Context& context, const CheckOptions& options,
     const std::string name = check.name;
     const std::string head = options.filter.substr(0, options.filter.find('/'));
     if (!head.empty() && name.find(head) == std::string::npos) continue;
-    for (const int lanes : options.lanes) take(check.run(context, lanes, options.size * options.size));
+    for (const int lanes : options.lanes) {
+      interrupt_check();
+      take(check.run(context, lanes, options.size * options.size));
+    }
   }
   for (const std::string& scene : check_scene_names())
     if (("image/" + scene).find(options.filter) != std::string::npos)

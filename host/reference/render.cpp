@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "reference/sampling.hpp"
 #include "reference/surface.hpp"
 #include "reference/tracking.hpp"
@@ -198,7 +199,7 @@ void render(const FlatScene& scene, Film& film, const Options& options) {
   std::atomic<int> next_row{frame.crop_y0};
   const auto work = [&] {  // rows are independent, so the picture does not depend on who takes which
     for (int y = next_row++; y < frame.crop_y1; y = next_row++)
-      for (int x = frame.crop_x0; x < frame.crop_x1; ++x)
+      for (int x = frame.crop_x0; x < frame.crop_x1 && !interrupt_requested(); ++x)
         film.pixels()[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] =
             film_pixel(pixel_render(context, x, y));
   };
@@ -208,6 +209,7 @@ void render(const FlatScene& scene, Film& film, const Options& options) {
   for (int i = 1; i < count; ++i) helpers.emplace_back(work);
   work();
   for (std::thread& helper : helpers) helper.join();
+  interrupt_check();
 }
 
 }  // namespace brume::reference

@@ -9,6 +9,7 @@
 #include "base/interrupt.hpp"
 #include "check/check_images.hpp"
 #include "check/check_parts.hpp"
+#include "cl/driver_guard.hpp"
 #include "cl/program.hpp"
 #include "render/device_scene.hpp"
 #include "render/kernel_options.hpp"
@@ -66,9 +67,10 @@ std::vector<float> Probe::run(const char* name, const std::vector<float>& in, st
   constexpr std::size_t group = 16;
   const std::size_t count = in.size() / in_stride;
   std::vector<float> out(count * out_stride);
+  const DriverGuard guard;
   try {
     const DeviceScene device_scene(context_, scene_, 3);
-    cl::Kernel kernel(probe_program(context_, scene_, lanes_), name);
+    cl::Kernel kernel = kernel_create(probe_program(context_, scene_, lanes_), name);
     cl_uint argument = device_scene.set_arguments(kernel);
     const cl::Buffer in_buffer = context_.buffer("probe inputs", in),
                      out_buffer = context_.buffer("probe results", out);

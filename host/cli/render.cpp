@@ -6,6 +6,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/foreign_lines.hpp"
 #include "base/interrupt.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
@@ -75,6 +76,7 @@ bool render_film(const RenderArguments& arguments, Renderer& renderer, Film& fil
 int render_run(RenderArguments arguments) {
   Stopwatch total, lap;
   arguments.complete();
+  if (arguments.quiet) notes_mute();
   for (const std::filesystem::path& output : arguments.outputs) image_check_writable(output);
   if (!arguments.stats.empty()) AtomicFile(arguments.stats);
   const SceneDesc desc = describe(arguments);

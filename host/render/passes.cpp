@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "cl/driver_guard.hpp"
 #include "cl/program.hpp"
 #include "render/kernel_options.hpp"
 #include "render/pace.hpp"
@@ -77,11 +78,11 @@ void Passes::create_kernels(const std::string& options) {
   const cl::Program program = program_build(context_, passes_source(), options);
   for (int id = 0; id < PASS_COUNT; ++id) {
     if (!runs(static_cast<Id>(id))) continue;
-    kernels_[id] = cl::Kernel(program, PASS_NAMES[id]);
+    kernels_[id] = kernel_create(program, PASS_NAMES[id]);
     first_argument_[id] = id == ACCUMULATE ? 0 : scene_.set_arguments(kernels_[id]);
   }
   if (light_grids_.empty()) return;
-  light_grid_kernel_ = cl::Kernel(program, "light_grid");
+  light_grid_kernel_ = kernel_create(program, "light_grid");
   launch_light_grid({0, 0, 0, 0});  // compiled now, not during the render
 }
 
@@ -154,6 +155,7 @@ void Passes::fill_light_grids(std::vector<PassStats>& stats, const std::function
 }
 
 void Passes::run(const Batch& batch, std::vector<PassStats>& stats) {
+  const DriverGuard guard;
   stats.resize(PASS_COUNT);
   std::array<cl::Event, PASS_COUNT> events;
   const char* pass = "";

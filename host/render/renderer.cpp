@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "base/foreign_lines.hpp"
 #include "base/stopwatch.hpp"
+#include "cl/driver_guard.hpp"
 #include "render/kernel_options.hpp"
 #include "render/pace.hpp"
 #include "render/passes.hpp"
@@ -51,6 +53,8 @@ struct Renderer::State {
 };
 
 Renderer::Renderer(Context& context, const FlatScene& scene, const RenderOptions& options) : state_(new State) {
+  const DriverGuard guard;
+  const ForeignLines lines("the OpenCL driver");
   State& s = *state_;
   s.frame = scene.frame;
   s.crop_pixels = static_cast<std::size_t>(s.frame.crop_x1 - s.frame.crop_x0) * (s.frame.crop_y1 - s.frame.crop_y0);
@@ -77,6 +81,7 @@ const RenderStats& Renderer::stats() const { return state_->stats; }
 
 bool Renderer::render(Film& film, const Progress& progress) {
   State& s = *state_;
+  const DriverGuard guard;
   const Stopwatch watch;
   s.stats.primary_rays = 0;
   const double grid_items = s.passes->light_grid_items(), all = grid_items + s.total_rays();

@@ -43,6 +43,7 @@ std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, cons
         {"shadow", stats.shadow_rays},
         {"dropped", stats.dropped_rays}}},
       {"lookups", stats.lookups},
+      {"dropped_weight", stats.primary_rays > 0 ? stats.dropped_weight / stats.primary_rays : 0},
       {"passes", passes},
       {"memory",
        {{"device_bytes", stats.device_bytes}, {"voxel_bytes", stats.voxel_bytes}, {"bvh_bytes", stats.bvh_bytes}}},

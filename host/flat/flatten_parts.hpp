@@ -44,6 +44,9 @@ void flatten_materials(const SceneDesc& desc, LoadedShapes& shapes, FlatScene& s
 void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene);
 void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media, FlatScene& scene);
 
+// Throws InputError where the steps of marched media ask for more lookups than can be meant.
+void work_check(const SceneDesc& desc, const FlatScene& scene);
+
 // Rounds all voxels and ranges to what `storage` holds and fills `packed` and `storage_error`. Throws InputError where densities
 // exceed it.
 void voxels_pack(FlatScene& scene, int storage);

@@ -96,7 +96,7 @@ TEST_F(Interrupt, WhileTheDeviceDoesNotAnswer) {
   write("a.json", SMOKE);
   const std::string fine = " --method march_midpoint --quiet";
   ASSERT_EQ(run("render a.json -o warm.png --size 8x8" + fine).exit_code, 0);
-  expect_answered(interrupt("render a.json -o a.exr --step 1e-5" + fine, 1));
+  expect_answered(interrupt("render a.json -o a.exr --size 64x64 --step 1e-5" + fine, 1));
   EXPECT_FALSE(files().count("a.exr"));
 }
 

@@ -100,6 +100,17 @@ TEST_F(Interrupt, WhileTheDeviceDoesNotAnswer) {
   EXPECT_FALSE(files().count("a.exr"));
 }
 
+// The rows above the smoke are done, the batch behind them never ends: they are written all the same.
+TEST_F(Interrupt, WhatIsDoneIsWrittenWhereTheDeviceDoesNotAnswer) {
+  write("a.json", SMOKE);
+  const std::string fine = " --method march_midpoint --quiet --set /camera/vfov=100 --set /background=[1,1,1]";
+  ASSERT_EQ(run("render a.json -o warm.png --size 8x8" + fine).exit_code, 0);
+  expect_answered(interrupt("render a.json -o a.exr --size 64x64 --step 1e-5" + fine, 1));
+  const Image kept = image_read(folder_ / "a.exr");
+  EXPECT_EQ(kept.values.front(), 1);
+  EXPECT_EQ(kept.values[kept.values.size() / 2], 0);
+}
+
 TEST_F(Interrupt, WhileCheckingAndMeasuring) {
   expect_answered(interrupt("check", 1));
   expect_answered(interrupt("check --stability", 1));

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
 #include "film/film_compare.hpp"
@@ -33,6 +34,7 @@ class Scratch {
     std::string name = (std::filesystem::temp_directory_path() / "brume_bench_XXXXXX").string();
     if (!mkdtemp(name.data())) throw RuntimeError(name + ": cannot be created");
     path_ = name;
+    interrupt_removes(path_);
   }
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
@@ -56,7 +58,7 @@ void render_benchmark(::benchmark::State& state, const DeviceInfo& device, const
   for (auto unused : state) {
     (void)unused;
     const Stopwatch watch;
-    renderer.render(film, [](double) { return true; });
+    if (!renderer.render(film, [](double) { return !interrupt_requested(); })) interrupt_check();
     state.SetIterationTime(watch.seconds());
     ++runs;
   }

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "base/interrupt.hpp"
 #include "flat/flatten.hpp"
 #include "shared/method.h"
 #include "volume/volume_file.hpp"
@@ -82,7 +83,7 @@ const Image& exact_picture(Context& context, const Workload& work) {
   const int lanes = lanes_choose(context.device(), 0);
   Renderer renderer(context, flat_scene(work, settings().front(), lanes), {lanes, false, 0});
   Film film(work.desc.film.size);
-  renderer.render(film, [](double) { return true; });
+  if (!renderer.render(film, [](double) { return !interrupt_requested(); })) interrupt_check();
   return known[work.name] = picture(film);
 }
 

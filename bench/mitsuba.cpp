@@ -8,6 +8,7 @@
 #include "base/atomic_file.hpp"
 #include "mitsuba_script.hpp"
 #include "peers.hpp"
+#include "process.hpp"
 #include "volume/volume_file.hpp"
 
 namespace brume::bench {
@@ -34,7 +35,7 @@ void densities_write(const Grid& grid, const std::filesystem::path& file) {
 std::optional<MitsubaRun> mitsuba_run(const Workload& work, const std::filesystem::path& folder) {
   const char* python = std::getenv("BRUME_PYTHON");
   const std::string interpreter = python ? python : "python3";
-  if (std::system((interpreter + " -c 'import mitsuba, numpy' >/dev/null 2>&1").c_str()) != 0) return std::nullopt;
+  if (!command_succeeds(interpreter + " -c 'import mitsuba, numpy' >/dev/null 2>&1")) return std::nullopt;
   const Grid grid = volume_read(work.file, work.desc.media[0].density.grid);
   const dvec3 size(grid.size());
   MitsubaRun run{0, {folder / (work.name + "_mitsuba0.exr"), folder / (work.name + "_mitsuba1.exr")}};
@@ -61,7 +62,7 @@ std::optional<MitsubaRun> mitsuba_run(const Workload& work, const std::filesyste
   atomic_write(script, MITSUBA_SCRIPT);
   const std::string command =
       interpreter + " '" + script.string() + "' '" + scene.string() + "' >'" + log.string() + "' 2>&1";
-  if (std::system(command.c_str()) != 0) return std::nullopt;
+  if (!command_succeeds(command)) return std::nullopt;
   std::ifstream in(log);
   std::string word;
   while (in >> word)  // the last word of the log

@@ -10,6 +10,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/stopwatch.hpp"
+#include "process.hpp"
 #include "scene/scene_writer.hpp"
 
 namespace brume::bench {
@@ -58,7 +59,7 @@ std::optional<PeerRun> vdb_render_run(const Workload& work, const std::filesyste
   const std::filesystem::path log = folder / "peer.log";
   const Stopwatch watch;
   const std::string command = vdb_render_command(work, picture, converged) + " >" + quoted(log) + " 2>&1";
-  if (std::system(command.c_str()) != 0 || !std::filesystem::exists(picture)) return std::nullopt;
+  if (!command_succeeds(command) || !std::filesystem::exists(picture)) return std::nullopt;
   return PeerRun{seconds_in_log(log), watch.seconds(), picture};
 }
 
@@ -69,7 +70,7 @@ std::optional<double> brume_process_seconds(const SceneDesc& desc, const std::fi
   const Stopwatch watch;
   const std::string command = quoted(program) + " render " + quoted(scene) + " --quiet -o " +
                               quoted(folder / "process.exr") + " >/dev/null 2>&1";
-  if (std::system(command.c_str()) != 0) return std::nullopt;
+  if (!command_succeeds(command)) return std::nullopt;
   return watch.seconds();
 }
 

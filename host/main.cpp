@@ -48,11 +48,13 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   brume::interrupt_install();
   try {
-    return run(argc, argv);
+    const int code = run(argc, argv);
+    if (brume::interrupt_requested()) brume::interrupt_leave("interrupted when all was done");
+    return code;
   } catch (const brume::InputError& error) {
     return fail(error.what(), 2);
   } catch (const brume::Interrupted& error) {
-    return fail(error.what(), 130);
+    brume::interrupt_leave(error.what());
   } catch (const std::bad_alloc&) {
     return fail("out of memory", 1);
   } catch (const std::exception& error) {

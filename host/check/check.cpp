@@ -6,8 +6,10 @@
 #include <map>
 
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "check/check_images.hpp"
 #include "check/check_parts.hpp"
+#include "cl/driver_guard.hpp"
 #include "cl/program.hpp"
 #include "render/device_scene.hpp"
 #include "render/kernel_options.hpp"
@@ -65,9 +67,10 @@ std::vector<float> Probe::run(const char* name, const std::vector<float>& in, st
   constexpr std::size_t group = 16;
   const std::size_t count = in.size() / in_stride;
   std::vector<float> out(count * out_stride);
+  const DriverGuard guard;
   try {
     const DeviceScene device_scene(context_, scene_, 3);
-    cl::Kernel kernel(probe_program(context_, scene_, lanes_), name);
+    cl::Kernel kernel = kernel_create(probe_program(context_, scene_, lanes_), name);
     cl_uint argument = device_scene.set_arguments(kernel);
     const cl::Buffer in_buffer = context_.buffer("probe inputs", in),
                      out_buffer = context_.buffer("probe results", out);
@@ -99,7 +102,10 @@ std::vector<CheckRow> check_run(Context& context, const CheckOptions& options,
     const std::string name = check.name;
     const std::string head = options.filter.substr(0, options.filter.find('/'));
     if (!head.empty() && name.find(head) == std::string::npos) continue;
-    for (const int lanes : options.lanes) take(check.run(context, lanes, options.size * options.size));
+    for (const int lanes : options.lanes) {
+      interrupt_check();
+      take(check.run(context, lanes, options.size * options.size));
+    }
   }
   for (const std::string& scene : check_scene_names())
     if (("image/" + scene).find(options.filter) != std::string::npos)

@@ -1,6 +1,7 @@
 // See check_images.hpp.
 #include "check/check_images.hpp"
 
+#include "base/interrupt.hpp"
 #include "check/check_parts.hpp"
 #include "reference/render.hpp"
 #include "render/renderer.hpp"
@@ -10,7 +11,7 @@ namespace brume {
 Film render_film(Context& context, const FlatScene& scene, int lanes) {
   Film film({scene.frame.camera.width, scene.frame.camera.height});
   Renderer renderer(context, scene, {lanes, false, 0});
-  renderer.render(film, [](double) { return true; });
+  if (!renderer.render(film, [](double) { return !interrupt_requested(); })) interrupt_check();
   return film;
 }
 

@@ -106,6 +106,14 @@ constexpr SceneText SCENES[] = {
   "media": [{"bounds": [[-1.5, -0.8, -1.2], [1.5, 0.6, 1.2]], "density": {"type": "exponential", "resolution": [10, 12, 10]},
              "sigma_a": [0.1, 0.15, 0.2], "sigma_s": 0.3, "phase": {"type": "henyey_greenstein", "g": 0.5}}],
   "render": {"method": "dda_gauss2", "max_depth": 4}})"},
+    {"mirrors_deep", R"({
+  "camera": {"eye": [0.3, 0.4, 3], "target": [0, 0, 0], "vfov": 30}, "background": [0.3, 0.4, 0.6],
+  "lights": [{"type": "directional", "direction": [-0.5, -1, -0.4], "irradiance": [2, 2, 2]}],
+  "materials": {"half": {"diffuse": 0.1, "reflection": 0.5, "refraction": 0.5, "ior": 1.4},
+                "glass": {"diffuse": 0.1, "reflection": 0.3, "refraction": 0.6, "ior": 1.5}},
+  "shapes": [{"type": "sphere", "center": [-0.52, 0, 0], "radius": 0.5, "material": "half"},
+             {"type": "sphere", "center": [0.52, 0, 0], "radius": 0.5, "material": "glass"}],
+  "render": {"max_depth": 30}})"},
     {"fog_grid", R"({
   "camera": {"eye": [1.9, 1.1, 2.6], "target": [0, 0, 0], "vfov": 40}, "background": [0.1, 0.1, 0.2],
   "lights": [{"type": "directional", "direction": [-0.5, -1, -0.3], "irradiance": [3, 3, 3]},

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "check/stability_parts.hpp"
 #include "flat/flatten.hpp"
 #include "reference/medium.hpp"
@@ -129,6 +130,7 @@ std::vector<StabilityRow> check_stability(Context& context, const StabilityOptio
       for (const FamilyRow& method : method_family()) {
         if (!entry.fits(method.id)) continue;
         for (const int lanes : options.lanes) {
+          interrupt_check();
           StabilityRun run(context, method.id, lanes);
           entry.run(run);
           StabilityRow row = run.row();

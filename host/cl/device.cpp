@@ -5,6 +5,8 @@
 #include <cctype>
 
 #include "base/error.hpp"
+#include "base/foreign_lines.hpp"
+#include "cl/driver_guard.hpp"
 
 namespace brume {
 
@@ -47,6 +49,9 @@ int DeviceInfo::lanes() const {
 }
 
 std::vector<DeviceInfo> device_list() {
+  driver_environment();
+  const DriverGuard guard;
+  const ForeignLines lines("an OpenCL driver");
   std::vector<DeviceInfo> devices;
   std::vector<cl::Platform> platforms;
   try {
@@ -69,15 +74,20 @@ std::vector<DeviceInfo> device_list() {
 
 DeviceInfo device_choose(const std::string& wanted) {
   const std::vector<DeviceInfo> devices = device_list();
-  if (devices.empty())
+  if (devices.empty()) {
+    const std::string problem = kernel_cache_problem();  // PoCL has no devices then
     throw RuntimeError(
-        "no OpenCL device found: install one (Debian: pocl-opencl-icd), check OCL_ICD_VENDORS, and that POCL_CACHE_DIR "
-        "or "
-        "~/.cache is writable");
+        "no OpenCL device found: " +
+        (problem.empty() ? "install one (Debian: pocl-opencl-icd), and check OCL_ICD_VENDORS" : problem));
+  }
   const std::string text = wanted.empty() ? "portable computing language" : wanted;
   for (const DeviceInfo& info : devices)
     if (device_matches(info, text)) return info;
-  if (wanted.empty()) return devices.front();
+  if (wanted.empty()) {
+    const std::string problem = kernel_cache_problem();
+    if (!problem.empty()) throw RuntimeError("the default device, PoCL's, is not there: " + problem);
+    return devices.front();
+  }
   std::string known;
   for (const DeviceInfo& info : devices)
     known += (known.empty() ? "" : "; ") + std::to_string(info.index) + " " + info.title();

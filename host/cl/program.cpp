@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "cl/driver_guard.hpp"
 #include "cl/kernel_text.hpp"
 
 namespace brume {
@@ -69,7 +70,16 @@ std::string kernel_source_text(std::string_view text, std::string_view name) {
 
 std::string kernel_source(std::string_view path) { return kernel_source_text(kernel_file_text(path), path); }
 
+cl::Kernel kernel_create(const cl::Program& program, const char* name) {
+  try {
+    return cl::Kernel(program, name);
+  } catch (const cl::Error& error) {
+    driver_failed(std::string("no kernel '") + name + "': " + cl_error_name(error.err()));
+  }
+}
+
 cl::Program program_build(const Context& context, const std::string& source, const std::string& options) {
+  const DriverGuard guard;
   cl::Program program(context.cl(), source);
   try {
     program.build({context.device().device}, ("-cl-std=CL1.2 -w " + options).c_str());

@@ -1,10 +1,12 @@
 // brume render: scene (or bare volume, or mesh) → pictures. Reads as the pipeline: description → flat → device → film → images.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <functional>
 #include <memory>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/foreign_lines.hpp"
 #include "base/interrupt.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
@@ -50,9 +52,31 @@ void write_outputs(const RenderArguments& arguments, const SceneDesc& desc, cons
   }
 }
 
+// With progress, until Ctrl-C; where the device does not answer that, what is done is written from outside.
+bool render_film(const RenderArguments& arguments, Renderer& renderer, Film& film, const std::function<void()>& write) {
+  ProgressBar bar(arguments.quiet);
+  const InterruptRescue rescue([&] {
+    if (renderer.stats().primary_rays == 0) return;
+    try {
+      renderer.finish(film);
+      write();
+    } catch (const std::exception& error) {
+      say(arguments, error.what());
+    }
+  });
+  const bool complete = renderer.render(film, [&](double share) {
+    bar.show(share);
+    return !interrupt_requested();
+  });
+  interrupt_claim();
+  if (renderer.stats().primary_rays == 0) throw Interrupted("interrupted before a pixel was done; nothing is written");
+  return complete;
+}
+
 int render_run(RenderArguments arguments) {
   Stopwatch total, lap;
   arguments.complete();
+  if (arguments.quiet) notes_mute();
   for (const std::filesystem::path& output : arguments.outputs) image_check_writable(output);
   if (!arguments.stats.empty()) AtomicFile(arguments.stats);
   const SceneDesc desc = describe(arguments);
@@ -69,19 +93,15 @@ int render_run(RenderArguments arguments) {
   Context context(device);
   Renderer renderer(context, flat, {lanes, arguments.generic, 0});
   Film film(desc.film.size);
-  bool complete;
-  {
-    ProgressBar bar(arguments.quiet);
-    complete = renderer.render(film, [&bar](double share) {
-      bar.show(share);
-      return !interrupt_requested();
-    });
-  }
-  if (const std::string note = dropped_note(renderer.stats()); !note.empty()) say(arguments, "note: " + note);
-  write_outputs(arguments, desc, flat, film, context, renderer.stats());
-  times.total_s = total.seconds();
-  if (!arguments.stats.empty())
-    atomic_write(arguments.stats, render_stats_json(desc, flat, device, renderer.stats(), times));
+  const auto write = [&] {
+    if (renderer.stats().dropped_rays > 0) say(arguments, "note: " + dropped_note(renderer.stats()));
+    write_outputs(arguments, desc, flat, film, context, renderer.stats());
+    times.total_s = total.seconds();
+    if (!arguments.stats.empty())
+      atomic_write(arguments.stats, render_stats_json(desc, flat, device, renderer.stats(), times));
+  };
+  const bool complete = render_film(arguments, renderer, film, write);
+  write();
   say(arguments, render_summary(desc, flat, device, renderer.stats(), times));
   if (!complete) throw Interrupted("interrupted; what was done has been written");
   return 0;

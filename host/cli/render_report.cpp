@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/families.hpp"
-#include "shared/material.h"
+#include "shared/ray.h"
 #include "version.hpp"
 
 namespace brume {
@@ -37,9 +37,13 @@ std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, cons
       {"upload_s", stats.upload_s},
       {"render_s", stats.render_s},
       {"total_s", times.total_s},
-      {"rays", {{"primary", stats.primary_rays}, {"secondary", stats.secondary_rays}, {"shadow", stats.shadow_rays}}},
+      {"rays",
+       {{"primary", stats.primary_rays},
+        {"secondary", stats.secondary_rays},
+        {"shadow", stats.shadow_rays},
+        {"dropped", stats.dropped_rays}}},
       {"lookups", stats.lookups},
-      {"dropped_weight", stats.primary_rays > 0 ? stats.dropped / stats.primary_rays : 0},
+      {"dropped_weight", stats.primary_rays > 0 ? stats.dropped_weight / stats.primary_rays : 0},
       {"passes", passes},
       {"memory",
        {{"device_bytes", stats.device_bytes}, {"voxel_bytes", stats.voxel_bytes}, {"bvh_bytes", stats.bvh_bytes}}},
@@ -55,15 +59,11 @@ ImageMetadata render_metadata(const SceneDesc& desc, const FlatScene& flat, cons
 }
 
 std::string dropped_note(const RenderStats& stats) {
-  constexpr double TOLD = 1e-3;  // of a sample's light, in the mean
-  const double mean = stats.primary_rays > 0 ? stats.dropped / stats.primary_rays : 0;
-  if (mean < TOLD) return "";
   char text[256];
-  std::snprintf(
-      text, sizeof text,
-      "secondary rays that carry %.2g %% of what a sample sees were left out: no more than %d follow one camera "
-      "ray; a smaller max_depth asks for fewer",
-      100 * mean, PATHS_MAX);
+  std::snprintf(text, sizeof text,
+                "%.0f reflected and refracted rays were dropped, a sample may send on %d; together they weigh %.2g %% "
+                "of a sample in the mean",
+                stats.dropped_rays, SECONDARY_RAYS_MAX, 100 * stats.dropped_weight / stats.primary_rays);
   return text;
 }
 

@@ -19,7 +19,7 @@ std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, cons
                               const RenderStats& stats, const RunTimes& times);
 ImageMetadata render_metadata(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
                               const RenderStats& stats);
-// What is told where secondary rays of some weight were left out; else empty.
+// What is told where reflected and refracted rays were dropped.
 std::string dropped_note(const RenderStats& stats);
 std::string render_summary(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
                            const RenderStats& stats, const RunTimes& times);

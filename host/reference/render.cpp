@@ -8,9 +8,11 @@
 #include <thread>
 
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "reference/sampling.hpp"
 #include "reference/surface.hpp"
 #include "reference/tracking.hpp"
+#include "shared/ray.h"
 
 namespace brume::reference {
 namespace {
@@ -57,8 +59,9 @@ void pixel_add(PixelD& sum, const PixelD& sample) {
   sum.depth += sample.depth;
   sum.hits += sample.hits;
   sum.lookups += sample.lookups;
+  sum.dropped_rays += sample.dropped_rays;
+  sum.dropped_weight += sample.dropped_weight;
   sum.key += sample.key;
-  sum.dropped += sample.dropped;
 }
 
 Packed3 pack(const dvec3& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
@@ -73,101 +76,103 @@ FilmPixel film_pixel(const PixelD& p) {
   pixel.hits = static_cast<float>(p.hits);
   pixel.lookups = static_cast<float>(p.lookups);
   pixel.key = p.key;
-  pixel.dropped = static_cast<float>(p.dropped);
+  pixel.dropped_rays = static_cast<float>(p.dropped_rays);
+  pixel.dropped_weight = static_cast<float>(p.dropped_weight);
   return pixel;
 }
 
-// A ray that a surface sends on.
-struct Path {
-  RayD ray;
-  dvec3 weight;  // of its light in the sample
+// depth: bounces before a ray. heirs: how many rays it may send on, those that these send on included; in single precision, as in the
+// kernels, so that both drop the same rays. weight: of its light in the sample.
+struct PathState {
   RandomStream random;
-  int depth;  // bounces before it
+  int depth = 0;
+  float heirs = INFINITY;
+  dvec3 weight{1};
 };
 
-// The rays of one sample: those that are still to be followed, and those that are left out.
-struct Paths {
-  std::vector<Path> waiting;
-  int left = PATHS_MAX;
-  double dropped = 0;
+PixelD path_render(const Context& context, const RayD& ray, const PathState& path);
 
-  void add(const SurfaceD& surface, const dvec3& dir, const dvec3& weight, const RandomStream& random, int depth) {
-    const double largest = std::max({weight.x, weight.y, weight.z});
-    if (!(largest > 0)) return;
-    if (largest < PATH_WEIGHT_MIN || left == 0) {
-      dropped += largest;
-      return;
-    }
-    --left;
-    const dvec3 unit = glm::normalize(dir);
-    waiting.push_back({{surface_leave(surface, unit), unit}, weight, random, depth});
+// The light of one ray that a surface sends on, times `factor`; all that it adds to the sample.
+void path_add(const Context& context, const SurfaceD& surface, const dvec3& dir, const dvec3& factor, PathState path,
+              PixelD& sample) {
+  const dvec3 unit = glm::normalize(dir);
+  path.weight *= factor;
+  const double largest = std::max({path.weight.x, path.weight.y, path.weight.z});
+  if (!(path.heirs >= 1)) {
+    sample.dropped_rays += largest > 0;
+    sample.dropped_weight += largest;
+    return;
   }
-};
-
-// Reflected and refracted light [Whitted80]. Total reflection gives the refracted weight to the reflected ray.
-void specular_add(const Context& context, const SurfaceD& surface, const Path& path, const dvec3& transmittance,
-                  Paths& paths) {
-  const Material& material = context.scene.materials[static_cast<std::size_t>(surface.material)];
-  double reflection = material.reflection;
-  const double refraction = material.refraction, ior = material.ior;
-  if (path.depth >= context.scene.frame.max_depth) return;
-  const dvec3 weight = path.weight * transmittance, &dir = path.ray.dir;
-  if (refraction > 0) {
-    const double eta = surface.leaving ? ior : 1 / ior, cosine = -glm::dot(surface.normal, dir);
-    const double squared = 1 - eta * eta * (1 - cosine * cosine);
-    if (squared >= 0)
-      paths.add(surface, eta * dir + (eta * cosine - std::sqrt(squared)) * surface.normal, refraction * weight,
-                path.random.child(STREAM_REFRACT), path.depth + 1);
-    else
-      reflection += refraction;
-  }
-  if (reflection > 0)
-    paths.add(surface, glm::reflect(dir, surface.normal), reflection * weight, path.random.child(STREAM_REFLECT),
-              path.depth + 1);
+  path.heirs -= 1;
+  ++path.depth;
+  const PixelD further = path_render(context, {surface_leave(surface, unit), unit}, path);
+  sample.radiance += factor * further.radiance;
+  sample.lookups += further.lookups;
+  sample.dropped_rays += further.dropped_rays;
+  sample.dropped_weight += further.dropped_weight;
+  sample.key += further.key;
 }
 
-// The light of one ray, times its weight, and the key of what it meets; what the surface sends on goes to `paths`. A sample's own
-// values (normal, depth, transmittance) are those of its camera ray.
-void path_follow(const Context& context, const Path& path, Paths& paths, PixelD& sample) {
-  const FlatScene& scene = context.scene;
-  const HitD hit = nearest_hit(scene, context.bounds, path.ray);
-  const Scattered media = media_scatter(context, path.ray, hit.t, path.random);
-  const dvec3 transmittance = transmittance_of(media.tau);
-  double lookups = media.lookups;
-  Lit lit{vec_promote(scene.frame.background), 0};
-  int checker = 0;
-  if (hit.primitive != PRIMITIVE_NONE) {
-    const SurfaceD surface = surface_at(scene, path.ray, hit);
-    lit = surface_light(context, surface, path.ray.dir, path.random, lookups);
-    checker = surface.checker;
-    specular_add(context, surface, path, transmittance, paths);
-    if (path.depth == 0) {
-      sample.normal = surface.normal;
-      sample.depth = hit.t;
-      sample.hits = 1;
-    }
+// Reflected and refracted light [Whitted80]. Total reflection gives the refracted weight to the reflected ray.
+void specular_add(const Context& context, const SurfaceD& surface, const RayD& ray, const PathState& path,
+                  PixelD& sample) {
+  const Material& material = context.scene.materials[static_cast<std::size_t>(surface.material)];
+  float reflection = material.reflection;
+  const float refraction = material.refraction, both = reflection + refraction;
+  const double ior = material.ior;
+  if (path.depth >= context.scene.frame.max_depth || !(both > 0)) return;
+  const dvec3 transmittance = sample.transmittance;
+  const auto add = [&](const dvec3& dir, float share, uint stream) {
+    PathState next = path;
+    next.random = path.random.child(stream);
+    next.heirs = path.heirs * (share / both);
+    path_add(context, surface, dir, double(share) * transmittance, next, sample);
+  };
+  if (refraction > 0) {
+    const double eta = surface.leaving ? ior : 1 / ior, cosine = -glm::dot(surface.normal, ray.dir);
+    const double squared = 1 - eta * eta * (1 - cosine * cosine);
+    if (squared >= 0)
+      add(eta * ray.dir + (eta * cosine - std::sqrt(squared)) * surface.normal, refraction, STREAM_REFRACT);
+    else
+      reflection = both;
   }
-  if (path.depth == 0) sample.transmittance = transmittance;
-  sample.radiance += path.weight * (media.radiance + transmittance * lit.radiance);
-  sample.lookups += lookups;
-  sample.key += sample_key(hit.primitive, lit.lights, walked(context, media.shadow_key, lookups), checker) *
-                static_cast<uint>(2 * path.depth + 1);
+  if (reflection > 0) add(glm::reflect(ray.dir, surface.normal), reflection, STREAM_REFLECT);
+}
+
+PixelD path_render(const Context& context, const RayD& ray, const PathState& path) {
+  const RandomStream& random = path.random;
+  const FlatScene& scene = context.scene;
+  const HitD hit = nearest_hit(scene, context.bounds, ray);
+  const Scattered media = media_scatter(context, ray, hit.t, random);
+
+  PixelD sample;
+  sample.samples = 1;
+  sample.transmittance = transmittance_of(media.tau);
+  sample.lookups = media.lookups;
+  if (hit.primitive == PRIMITIVE_NONE) {
+    sample.radiance = media.radiance + sample.transmittance * vec_promote(scene.frame.background);
+    sample.key = sample_key(hit.primitive, 0, walked(context, media.shadow_key, sample.lookups), 0) *
+                 static_cast<uint>(2 * path.depth + 1);
+    return sample;
+  }
+  const SurfaceD surface = surface_at(scene, ray, hit);
+  const Lit lit = surface_light(context, surface, ray.dir, random, sample.lookups);
+  sample.normal = surface.normal;
+  sample.depth = hit.t;
+  sample.hits = 1;
+  sample.radiance = media.radiance + sample.transmittance * lit.radiance;
+  sample.key =
+      sample_key(hit.primitive, lit.lights, walked(context, media.shadow_key, sample.lookups), surface.checker) *
+      static_cast<uint>(2 * path.depth + 1);
+  specular_add(context, surface, ray, path, sample);
+  return sample;
 }
 
 }  // namespace
 
 PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& random) {
-  PixelD sample;
-  sample.samples = 1;
-  Paths paths;
-  paths.waiting.push_back({ray, dvec3(1), random, 0});
-  while (!paths.waiting.empty()) {
-    const Path path = paths.waiting.back();
-    paths.waiting.pop_back();
-    path_follow(context, path, paths, sample);
-  }
-  sample.dropped = paths.dropped;
-  return sample;
+  const bool whole = context.scene.frame.max_depth <= SECONDARY_DEPTH_WHOLE;
+  return path_render(context, ray, {random, 0, whole ? INFINITY : float(SECONDARY_RAYS_MAX), dvec3(1)});
 }
 
 PixelD pixel_render(const Context& context, int x, int y) {
@@ -194,7 +199,7 @@ void render(const FlatScene& scene, Film& film, const Options& options) {
   std::atomic<int> next_row{frame.crop_y0};
   const auto work = [&] {  // rows are independent, so the picture does not depend on who takes which
     for (int y = next_row++; y < frame.crop_y1; y = next_row++)
-      for (int x = frame.crop_x0; x < frame.crop_x1; ++x)
+      for (int x = frame.crop_x0; x < frame.crop_x1 && !interrupt_requested(); ++x)
         film.pixels()[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] =
             film_pixel(pixel_render(context, x, y));
   };
@@ -204,6 +209,7 @@ void render(const FlatScene& scene, Film& film, const Options& options) {
   for (int i = 1; i < count; ++i) helpers.emplace_back(work);
   work();
   for (std::thread& helper : helpers) helper.join();
+  interrupt_check();
 }
 
 }  // namespace brume::reference

@@ -21,7 +21,6 @@ void collisions_visit(const FlatScene& scene, const Medium& medium, const RayD& 
                       const RandomStream& random, int method, bool only_tau,
                       const std::function<bool(const CollisionD&)>& visit);
 
-
 // T = exp(-τ) up to a channel each; what a collision does to them and what it is worth.
 //   weight: estimate of ∫ρ at the collision, 0 where no light is asked for; before: T up to it
 struct CollisionWorth {

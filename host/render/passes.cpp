@@ -4,8 +4,10 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "cl/driver_guard.hpp"
 #include "cl/program.hpp"
 #include "render/kernel_options.hpp"
+#include "render/pace.hpp"
 #include "shared/ray.h"
 
 namespace brume {
@@ -25,6 +27,8 @@ std::string passes_source() {
 
 // Private arrays of all items of a group lie on the worker's stack in PoCL: few items on a CPU.
 constexpr std::size_t GROUP_CPU = 16, GROUP_GPU = 64;
+
+constexpr std::size_t PIECE_FIRST = 512;  // of a light grid
 
 double event_seconds(const cl::Event& event) {
   return 1e-9 * static_cast<double>(event.getProfilingInfo<CL_PROFILING_COMMAND_END>() -
@@ -56,7 +60,7 @@ void Passes::plan_light_grids(const FlatScene& scene) {
     for (std::size_t l = 0; scene.media[m].light_grids > 0 && l < scene.lights.size(); ++l) {
       const LightGrid& grid = scene.light_grids[static_cast<std::size_t>(scene.media[m].light_grids - 1) + l];
       const int items = grid.columns_u * grid.columns_v * (grid.reach > 0 ? 1 : grid.nk);
-      light_grids_.push_back({static_cast<cl_int>(m), static_cast<cl_int>(l), static_cast<cl_uint>(items)});
+      light_grids_.push_back({static_cast<cl_int>(m), static_cast<cl_int>(l), 0, static_cast<cl_uint>(items)});
     }
 }
 
@@ -74,12 +78,12 @@ void Passes::create_kernels(const std::string& options) {
   const cl::Program program = program_build(context_, passes_source(), options);
   for (int id = 0; id < PASS_COUNT; ++id) {
     if (!runs(static_cast<Id>(id))) continue;
-    kernels_[id] = cl::Kernel(program, PASS_NAMES[id]);
+    kernels_[id] = kernel_create(program, PASS_NAMES[id]);
     first_argument_[id] = id == ACCUMULATE ? 0 : scene_.set_arguments(kernels_[id]);
   }
   if (light_grids_.empty()) return;
-  light_grid_kernel_ = cl::Kernel(program, "light_grid");
-  launch_light_grid({0, 0, 0});  // compiled now, not during the render
+  light_grid_kernel_ = kernel_create(program, "light_grid");
+  launch_light_grid({0, 0, 0, 0});  // compiled now, not during the render
 }
 
 // Sets every pass's own arguments.
@@ -109,22 +113,40 @@ cl::Event Passes::launch_light_grid(const LightGridWork& work) {
   cl_uint argument = scene_.set_arguments(light_grid_kernel_);
   light_grid_kernel_.setArg(argument++, work.medium);
   light_grid_kernel_.setArg(argument++, work.light);
-  light_grid_kernel_.setArg(argument++, work.items);
+  light_grid_kernel_.setArg(argument++, work.first);
+  light_grid_kernel_.setArg(argument++, work.first + work.items);
   light_grid_kernel_.setArg(argument++, scene_.light_tau());
   const cl::Event event = launch(light_grid_kernel_, work.items);
   event.wait();
   return event;
 }
 
-void Passes::fill_light_grids(std::vector<PassStats>& stats) {
+double Passes::light_grid_items() const {
+  double items = 0;
+  for (const LightGridWork& grid : light_grids_) items += grid.items;
+  return items;
+}
+
+void Passes::fill_light_grid(const LightGridWork& grid, PassStats& pass, bool& stopped,
+                             const std::function<bool(double)>& go_on) {
+  Pace pace(PIECE_FIRST, grid.items);
+  for (cl_uint first = 0; first < grid.items && !stopped;) {
+    const cl_uint items = std::min(static_cast<cl_uint>(pace.next()), grid.items - first);
+    const double seconds = event_seconds(launch_light_grid({grid.medium, grid.light, first, items}));
+    pace.took(items, seconds);
+    pass.seconds += seconds;
+    pass.items += items;
+    first += items;
+    stopped = !go_on(pass.items);
+  }
+}
+
+void Passes::fill_light_grids(std::vector<PassStats>& stats, const std::function<bool(double)>& go_on) {
   if (light_grids_.empty()) return;
   PassStats pass{"light_grid", 0, 0};
+  bool stopped = false;
   try {
-    for (const LightGridWork& grid : light_grids_) {
-      const cl::Event event = launch_light_grid(grid);
-      pass.seconds += event_seconds(event);
-      pass.items += grid.items;
-    }
+    for (const LightGridWork& grid : light_grids_) fill_light_grid(grid, pass, stopped, go_on);
   } catch (const cl::Error& error) {
     throw RuntimeError(context_.device().title() + ": pass light_grid: " + error.what() +
                        " failed: " + cl_error_name(error.err()));
@@ -133,6 +155,7 @@ void Passes::fill_light_grids(std::vector<PassStats>& stats) {
 }
 
 void Passes::run(const Batch& batch, std::vector<PassStats>& stats) {
+  const DriverGuard guard;
   stats.resize(PASS_COUNT);
   std::array<cl::Event, PASS_COUNT> events;
   const char* pass = "";
@@ -155,13 +178,20 @@ void Passes::run(const Batch& batch, std::vector<PassStats>& stats) {
   }
 }
 
-void Passes::read_film(Film& film, const Frame& frame) const {
+void Passes::read_film(Film& film, const Frame& frame, const Batch& batch) const {
   constexpr std::size_t BYTES = sizeof(FilmPixel);
-  const auto width = static_cast<std::size_t>(frame.crop_x1 - frame.crop_x0) * BYTES;
-  const auto rows = static_cast<std::size_t>(frame.crop_y1 - frame.crop_y0);
-  const auto x = static_cast<std::size_t>(frame.crop_x0) * BYTES, y = static_cast<std::size_t>(frame.crop_y0);
-  context_.queue().enqueueReadBufferRect(film_, CL_TRUE, {0, 0, 0}, {x, y, 0}, {width, rows, 1}, width, 0,
-                                         static_cast<std::size_t>(film.size().x) * BYTES, 0, film.pixels().data());
+  const auto row = static_cast<std::size_t>(frame.crop_x1 - frame.crop_x0),
+             film_row = static_cast<std::size_t>(film.size().x);
+  for (std::size_t first = batch.first_pixel, left = batch.pixels; left > 0;) {
+    const std::size_t x = first % row, y = first / row;
+    const bool whole = x == 0 && left >= row;  // as many rows as there are, or a part of one
+    const std::size_t width = whole ? row : std::min(row - x, left), rows = whole ? left / row : 1;
+    context_.queue().enqueueReadBufferRect(
+        film_, CL_TRUE, {x * BYTES, y, 0}, {(x + frame.crop_x0) * BYTES, y + frame.crop_y0, 0},
+        {width * BYTES, rows, 1}, row * BYTES, 0, film_row * BYTES, 0, film.pixels().data());
+    first += width * rows;
+    left -= width * rows;
+  }
 }
 
 }  // namespace brume

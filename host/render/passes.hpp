@@ -1,6 +1,7 @@
 // The kernels of a render and the buffers that they hand to each other, one entry per ray of a batch.
 #pragma once
 #include <array>
+#include <functional>
 #include <vector>
 
 #include "base/stopwatch.hpp"
@@ -26,16 +27,17 @@ class Passes {
   double build_seconds() const { return build_seconds_; }
   double upload_seconds() const { return upload_seconds_; }
 
-  // Fills the light grids, if there are any; adds time and items to `stats`.
-  void fill_light_grids(std::vector<PassStats>& stats);
+  // Fills the light grids, if there are any, piece by piece while go_on(items done) holds; adds time and items to `stats`.
+  void fill_light_grids(std::vector<PassStats>& stats, const std::function<bool(double)>& go_on);
+  double light_grid_items() const;
   // Enqueues all passes over one batch and waits; adds times and items to `stats`.
   void run(const Batch& batch, std::vector<PassStats>& stats);
-  void read_film(Film& film, const Frame& frame) const;  // the rendered crop into its place
+  void read_film(Film& film, const Frame& frame, const Batch& batch) const;  // its pixels into their places
 
  private:
   struct LightGridWork {
     cl_int medium, light;
-    cl_uint items;
+    cl_uint first, items;
   };
   enum Id { PRIMARY_RAYS, TRAVERSE_DDA, SHADOW_TRANSMITTANCE, SHADE, SECONDARY_RAYS, ACCUMULATE, PASS_COUNT };
   bool runs(Id id) const {
@@ -47,6 +49,8 @@ class Passes {
   void bind(const Batch& batch);
   cl::Event launch(const cl::Kernel& kernel, std::size_t items);
   cl::Event launch_light_grid(const LightGridWork& work);  // waits
+  void fill_light_grid(const LightGridWork& grid, PassStats& pass, bool& stopped,
+                       const std::function<bool(double)>& go_on);
 
   Context& context_;
   Stopwatch watch_;  // laps over construction

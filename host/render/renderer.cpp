@@ -3,16 +3,19 @@
 
 #include <algorithm>
 
+#include "base/foreign_lines.hpp"
 #include "base/stopwatch.hpp"
+#include "cl/driver_guard.hpp"
 #include "render/kernel_options.hpp"
+#include "render/pace.hpp"
 #include "render/passes.hpp"
 
 namespace brume {
 
 namespace {
 
-// Small enough on a CPU that Ctrl-C answers soon, large enough on a GPU to fill it.
-constexpr int BATCH_CPU = 1 << 14, BATCH_GPU = 1 << 19;
+// Rays in flight at most: on a CPU no more than its caches hold, on a GPU enough to fill it. The first batch shows how long they take.
+constexpr int BATCH_CPU = 1 << 14, BATCH_GPU = 1 << 19, FIRST_CPU = 1 << 8, FIRST_GPU = 1 << 15;
 
 // Adds up what the rendered crop of the film counted.
 void count_work(const Film& film, const Frame& frame, RenderStats& stats) {
@@ -22,7 +25,8 @@ void count_work(const Film& film, const Frame& frame, RenderStats& stats) {
       stats.lookups += p.lookups;
       stats.shadow_rays += p.shadow_rays;
       stats.secondary_rays += p.secondary_rays;
-      stats.dropped += p.dropped;
+      stats.dropped_rays += p.dropped_rays;
+      stats.dropped_weight += p.dropped_weight;
     }
 }
 
@@ -33,20 +37,31 @@ int bvh_width_for(int lanes) { return std::max(lanes, 4); }
 
 struct Renderer::State {
   Frame frame;
-  std::size_t crop_pixels, batch_rays;
+  std::size_t crop_pixels, batch_rays, first_rays;
   std::unique_ptr<Passes> passes;
   RenderStats stats;
 
   double total_rays() const { return static_cast<double>(crop_pixels) * frame.camera.spp; }
+
+  // What comes next, at most `rays` rays: whole pixels, or some samples of one.
+  Batch batch_at(std::size_t pixel, std::size_t sample, std::size_t rays) const {
+    const auto spp = static_cast<std::size_t>(frame.camera.spp);
+    const bool whole = sample == 0 && rays >= spp;
+    return {static_cast<cl_uint>(pixel), static_cast<cl_uint>(whole ? std::min(rays / spp, crop_pixels - pixel) : 1),
+            static_cast<cl_uint>(sample), static_cast<cl_uint>(whole ? spp : std::min(rays, spp - sample))};
+  }
 };
 
 Renderer::Renderer(Context& context, const FlatScene& scene, const RenderOptions& options) : state_(new State) {
+  const DriverGuard guard;
+  const ForeignLines lines("the OpenCL driver");
   State& s = *state_;
   s.frame = scene.frame;
   s.crop_pixels = static_cast<std::size_t>(s.frame.crop_x1 - s.frame.crop_x0) * (s.frame.crop_y1 - s.frame.crop_y0);
   const std::size_t wanted =
       options.batch_rays > 0 ? options.batch_rays : (context.device().cpu ? BATCH_CPU : BATCH_GPU);
   s.batch_rays = std::min(wanted, static_cast<std::size_t>(s.total_rays()));
+  s.first_rays = context.device().cpu ? FIRST_CPU : FIRST_GPU;
   s.stats.lanes = lanes_choose(context.device(), options.lanes);
 
   const std::string kernel = kernel_options(scene, context.device(), s.stats.lanes, options.generic);
@@ -66,29 +81,35 @@ const RenderStats& Renderer::stats() const { return state_->stats; }
 
 bool Renderer::render(Film& film, const Progress& progress) {
   State& s = *state_;
+  const DriverGuard guard;
   const Stopwatch watch;
-  const auto spp = static_cast<std::size_t>(s.frame.camera.spp);
-  const std::size_t samples = std::min(spp, s.batch_rays);
-  const std::size_t pixels = s.batch_rays / samples;
-  double done = 0;
+  s.stats.primary_rays = 0;
+  const double grid_items = s.passes->light_grid_items(), all = grid_items + s.total_rays();
   bool go_on = true;
   std::vector<PassStats> light_grids;
-  s.passes->fill_light_grids(light_grids);
-  for (std::size_t pixel = 0; pixel < s.crop_pixels && go_on; pixel += pixels) {
-    for (std::size_t sample = 0; sample < spp && go_on; sample += samples) {
-      const Batch batch{static_cast<cl_uint>(pixel), static_cast<cl_uint>(std::min(pixels, s.crop_pixels - pixel)),
-                        static_cast<cl_uint>(sample), static_cast<cl_uint>(std::min(samples, spp - sample))};
-      s.passes->run(batch, s.stats.passes);
-      done += batch.rays();
-      go_on = progress(done / s.total_rays());
+  s.passes->fill_light_grids(light_grids, [&](double items) { return go_on = progress(items / all); });
+  Pace pace(s.first_rays, s.batch_rays);
+  std::size_t pixel = 0, sample = 0;
+  while (go_on && pixel < s.crop_pixels) {
+    const Batch batch = s.batch_at(pixel, sample, pace.next());
+    const Stopwatch lap;
+    s.passes->run(batch, s.stats.passes);
+    pace.took(batch.rays(), lap.seconds());
+    s.passes->read_film(film, s.frame, batch);
+    s.stats.primary_rays += batch.rays();
+    sample += batch.samples;
+    if (sample == static_cast<std::size_t>(s.frame.camera.spp)) {
+      sample = 0;
+      pixel += batch.pixels;
     }
+    go_on = progress((grid_items + s.stats.primary_rays) / all);
   }
   s.stats.passes.insert(s.stats.passes.begin(), light_grids.begin(), light_grids.end());
-  s.passes->read_film(film, s.frame);
   s.stats.render_s += watch.seconds();
-  s.stats.primary_rays = done;
-  count_work(film, s.frame, s.stats);
-  return done == s.total_rays();
+  finish(film);
+  return s.stats.primary_rays == s.total_rays();
 }
+
+void Renderer::finish(Film& film) { count_work(film, state_->frame, state_->stats); }
 
 }  // namespace brume

@@ -27,12 +27,12 @@ struct RenderStats {
   int lanes = 0;
   double kernel_build_s = 0, upload_s = 0, render_s = 0;
   double primary_rays = 0, secondary_rays = 0, shadow_rays = 0, lookups = 0;
-  double dropped = 0;  // weight of the secondary rays that were left out, a sum over all samples (shared/material.h)
+  double dropped_rays = 0, dropped_weight = 0;  // FilmPixel::dropped_rays, dropped_weight
   std::vector<PassStats> passes;
   std::size_t device_bytes = 0, voxel_bytes = 0, bvh_bytes = 0;
 };
 
-// Share of the work done, in [0,1]. Returning false stops the render after the current batch.
+// Share of the work done, in [0,1], told at least every fifth of a second or so. Returning false stops the render after the current batch.
 using Progress = std::function<bool(double)>;
 
 class Renderer {
@@ -41,8 +41,11 @@ class Renderer {
   Renderer(Context& context, const FlatScene& scene, const RenderOptions& options);
   ~Renderer();
 
-  // Renders the crop of the frame. A film that was stopped early holds what was done; returns false then.
+  // Renders the crop of the frame. A film that was stopped early holds what was done (stats().primary_rays says how much, also while
+  // it goes on); returns false then.
   bool render(Film& film, const Progress& progress);
+  // For another thread, where render() does not come back: makes what the film holds so far ready to be written.
+  void finish(Film& film);
   const RenderStats& stats() const;
 
  private:

@@ -19,7 +19,7 @@ constexpr int LIGHT_GRID_MAX = 1024;
 
 constexpr std::size_t FILE_BYTES_MAX = 64u << 20;
 constexpr int FILM_SIDE_MAX = 65536;
-constexpr double STEP_MIN = 1e-6;  // of the medium's longest side: a million steps
+constexpr double STEPS_MAX = 1e5;  // along the medium's longest side
 
 // By pieces, so that pipes work and an endless file does no harm.
 std::string file_text(const std::filesystem::path& file) {
@@ -73,6 +73,16 @@ FilmDesc read_film(const JsonValue& scene) {
   return f;
 }
 
+double read_step_length(const JsonValue& render, double fallback) {
+  const double step = render.number("step", fallback, Range::positive());
+  if (step >= 1 / STEPS_MAX) return step;
+  char cause[160];
+  std::snprintf(cause, sizeof cause,
+                "%g makes %g steps along the longest side of a medium; at most %g are allowed, steps of %g", step,
+                1 / step, STEPS_MAX, 1 / STEPS_MAX);
+  render.get("step").fail(cause);
+}
+
 RenderDesc read_render(const JsonValue& scene) {
   RenderDesc r;
   if (!scene.has("render")) return r;
@@ -80,7 +90,7 @@ RenderDesc read_render(const JsonValue& scene) {
   Family methods = method_family();
   methods.insert(methods.begin(), {METHOD_AUTO, "auto", "the cheapest that is exact for each medium"});
   r.method = render.member("method", r.method, methods, "method");
-  r.step = render.number("step", r.step, Range::at_least(STEP_MIN));
+  r.step = read_step_length(render, r.step);
   Family shadows = shadow_family();
   shadows.insert(shadows.begin(), {SHADOW_AUTO, "auto", "trace, which is exact"});
   r.in_scattering = render.member("in_scattering", r.in_scattering, in_scattering_family(), "in-scattering rule");

@@ -14,7 +14,8 @@ static inline void packed_add(Packed3* sum, Packed3 v) {
 static inline FilmPixel pixel_empty(void) {
   FilmPixel p;
   p.radiance = p.normal = p.transmittance = vec_pack((float3)(0.0f));
-  p.samples = p.depth = p.hits = p.lookups = p.shadow_rays = p.secondary_rays = p.dropped = 0.0f;
+  p.samples = p.depth = p.hits = p.lookups = p.shadow_rays = p.secondary_rays = 0.0f;
+  p.dropped_rays = p.dropped_weight = 0.0f;
   p.key = 0;
   return p;
 }
@@ -36,7 +37,8 @@ __kernel void accumulate(uint first_pixel, uint pixels, uint first_sample, uint 
     sum.lookups += (float)results[item].lookups;
     sum.shadow_rays += (float)results[item].shadow_rays;
     sum.secondary_rays += (float)results[item].secondary_rays;
-    sum.dropped += results[item].dropped;
+    sum.dropped_rays += (float)results[item].dropped_rays;
+    sum.dropped_weight += results[item].dropped_weight;
     sum.key += sample.key;
     if (hits[item].primitive != PRIMITIVE_NONE) {
       sum.depth += hits[item].t;

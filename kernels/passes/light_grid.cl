@@ -29,9 +29,9 @@ static inline float3 light_grid_cell_size(const LightGrid* grid) {
 }
 
 // Item = column, of a light without columns = point. Of a column the first point in the box is traced to the light, each other one to
-// the point before.
-__kernel void light_grid(SCENE_ARGS, int medium, int light_index, uint count, __global float* out) {
-  const uint item = (uint)get_global_id(0);
+// the point before. Items [first, count) are those of this launch.
+__kernel void light_grid(SCENE_ARGS, int medium, int light_index, uint first, uint count, __global float* out) {
+  const uint item = first + (uint)get_global_id(0);
   if (item >= count) return;
   const Scene scene = SCENE_PACK;
   const Medium m = media[medium];

@@ -6,53 +6,54 @@
 typedef struct {
   float3 origin, dir, weight;
   Random random;
-  int depth;  // 1 for the rays of the first hit
+  int depth;    // 1 for the rays of the first hit
+  float heirs;  // how many rays it may send on, those that these send on included
 } PathRay;
 
 typedef struct {
   PathRay rays[BRUME_MAX_DEPTH + 1];  // each ray that is taken leaves at most two, one level deeper
   int count;
-  int left;       // rays that may still follow
-  float dropped;  // weight of those that may not
 } PathStack;
 
-static inline void path_push(PathStack* stack, const Surface* surface, float3 dir, float3 weight, Random random,
-                             int depth) {
+// `heirs`: its share of those of the ray that it comes from, itself included.
+static inline void path_push(PathStack* stack, const Surface* surface, float3 dir, float3 weight, float heirs,
+                             Random random, int depth, MediumResult* sum) {
   if (!(vec_max(weight) > 0.0f)) return;
-  if (vec_max(weight) < PATH_WEIGHT_MIN || stack->left == 0) {
-    stack->dropped += vec_max(weight);
+  if (!(heirs >= 1.0f)) {
+    ++sum->dropped_rays;
+    sum->dropped_weight += vec_max(weight);
     return;
   }
-  --stack->left;
   PathRay ray;
   ray.dir = normalize(dir);
   ray.origin = surface_leave(surface, ray.dir);
   ray.weight = weight;
   ray.random = random;
   ray.depth = depth;
+  ray.heirs = heirs - 1.0f;
   stack->rays[stack->count++] = ray;
 }
 
 // Where total reflection leaves no refracted ray, the reflected one takes its weight.
-static inline void path_continue(const Scene* scene, PathStack* stack, const Shading* s, float3 weight, Random random,
-                                 int depth) {
+static inline void path_continue(const Scene* scene, PathStack* stack, const Shading* s, float3 weight, float heirs,
+                                 Random random, int depth, MediumResult* sum) {
   if (depth > scene->frame->max_depth) return;
   float reflection = s->material.reflection, refraction = s->material.refraction;
   const float3 n = s->surface.normal, d = s->dir;
-  const float cosine = -dot(n, d);
+  const float cosine = -dot(n, d), both = reflection + refraction;
   if (refraction > 0.0f) {
     const float eta = s->surface.leaving ? s->material.ior : 1.0f / s->material.ior;
     const float k = 1.0f - eta * eta * (1.0f - cosine * cosine);
     if (k >= 0.0f) {
       path_push(stack, &s->surface, eta * d + (eta * cosine - sqrt(k)) * n, weight * refraction,
-                random_stream(random, STREAM_REFRACT), depth);
+                heirs * (refraction / both), random_stream(random, STREAM_REFRACT), depth, sum);
     } else {
-      reflection += refraction;
+      reflection = both;
     }
   }
   if (reflection > 0.0f)
-    path_push(stack, &s->surface, d + 2.0f * cosine * n, weight * reflection, random_stream(random, STREAM_REFLECT),
-              depth);
+    path_push(stack, &s->surface, d + 2.0f * cosine * n, weight * reflection, heirs * (reflection / both),
+              random_stream(random, STREAM_REFLECT), depth, sum);
 }
 
 // One ray of the stack: its light times its weight.
@@ -73,7 +74,8 @@ static inline float3 path_follow(const Scene* scene, PathStack* stack, MediumRes
       const LightArrival arrival = surface_arrival(scene, &shading.surface, l, path.random, &lookups);
       shading_add_light(scene, &shading, l, &arrival);
     }
-    path_continue(scene, stack, &shading, path.weight * vec_unpack(medium.transmittance), path.random, path.depth + 1);
+    path_continue(scene, stack, &shading, path.weight * vec_unpack(medium.transmittance), path.heirs, path.random,
+                  path.depth + 1, sum);
     behind = shading.radiance;
     lit = shading.lit;
     second = shading.second;
@@ -100,14 +102,14 @@ __kernel void secondary_rays(SCENE_ARGS, uint count, __global const Ray* rays, _
   const Shading first = shading_begin(&scene, &ray, &hit);
   PathStack stack;
   stack.count = 0;
-  stack.left = PATHS_MAX;
-  stack.dropped = 0.0f;
   MediumResult sum = results[item];
-  path_continue(&scene, &stack, &first, vec_unpack(sum.transmittance), random_begin(frame, ray.pixel, ray.sample), 1);
+  const float heirs = frame->max_depth > SECONDARY_DEPTH_WHOLE ? (float)SECONDARY_RAYS_MAX : INFINITY;
+  path_continue(&scene, &stack, &first, vec_unpack(sum.transmittance), heirs,
+                random_begin(frame, ray.pixel, ray.sample), 1, &sum);
+  if (stack.count == 0) return;
   float3 radiance = (float3)(0.0f);
   uint key = 0;
   while (stack.count > 0) radiance += path_follow(&scene, &stack, &sum, &key);
-  sum.dropped = stack.dropped;
   results[item] = sum;
   samples[item].radiance = vec_pack(vec_unpack(samples[item].radiance) + radiance);
   samples[item].key += key;

@@ -160,8 +160,8 @@ static inline MediumResult media_scatter(const Scene* scene, float3 origin, floa
   result.shadow_key = 0;
   result.shadow_rays = 0;
   result.secondary_rays = 0;
-  result.dropped = 0.0f;
-  result.pad = 0;
+  result.dropped_rays = 0;
+  result.dropped_weight = 0.0f;
   float3 radiance = (float3)(0.0f);
   tau_t tau = (tau_t)(0.0f);
 #if BRUME_MEDIA

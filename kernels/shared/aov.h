@@ -31,8 +31,9 @@ typedef struct {
   uint key;
   float shadow_rays;
   float secondary_rays;
-  float dropped;  // weight of the secondary rays that were left out (shared/material.h)
+  float dropped_rays;  // as in MediumResult
+  float dropped_weight;
 } FilmPixel;
-BRUME_LAYOUT(FilmPixel, 68);
+BRUME_LAYOUT(FilmPixel, 72);
 BRUME_SHARED_END
 #endif

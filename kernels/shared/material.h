@@ -13,11 +13,6 @@
   ROW(IMAGE, "image", "an image file: bilinear, repeated, v = 0 at the bottom row; times diffuse") \
   ROW(CHECKER, "checker", "two colors in squares of 1/scale texture units; times diffuse")
 
-// Secondary rays of less weight than PATH_WEIGHT_MIN are left out, and all beyond PATHS_MAX of one camera ray: nine glass and mirror
-// spheres would ask for 2^64. What the picture may lack is at most the sum of their weights times what they would have seen.
-#define PATH_WEIGHT_MIN 7e-5f
-#define PATHS_MAX 1024
-
 BRUME_SHARED_BEGIN
 enum MaterialModel {
 #define ROW(id, name, help) MATERIAL_##id,

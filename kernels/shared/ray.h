@@ -3,6 +3,10 @@
 #define BRUME_SHARED_RAY_H
 #include "shared/platform.h"
 
+// Reflected and refracted rays that one sample may send on. Up to this depth all of them are no more; deeper ones share it out.
+#define SECONDARY_RAYS_MAX 4096
+#define SECONDARY_DEPTH_WHOLE 11
+
 BRUME_SHARED_BEGIN
 typedef struct {
   Packed3 origin;
@@ -29,8 +33,8 @@ typedef struct {
       shadow_key;  // counts the samples whose light was blocked by a surface: two renderers agree on it or sit at an edge
   uint shadow_rays;
   uint secondary_rays;
-  float dropped;  // weight of the secondary rays that were left out
-  uint pad;
+  uint dropped_rays;     // that were not sent on
+  float dropped_weight;  // of those: the largest channel of each, added up
 } MediumResult;
 BRUME_LAYOUT(MediumResult, 48);
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "physics/closed_form.hpp"
-#include "shared/material.h"
+#include "shared/ray.h"
 
 namespace brume::test {
 namespace {
@@ -29,7 +29,7 @@ Pixel kernel_pixel(const std::string& scene, int lanes) {
   Film film({2, 2});
   Renderer(pocl(), flat, {lanes, false, 0}).render(film, [](double) { return true; });
   const FilmPixel& p = film.pixels()[0];
-  return {p.radiance.y, p.secondary_rays, p.dropped};
+  return {p.radiance.y, p.secondary_rays, p.dropped_weight};
 }
 
 reference::PixelD reference_pixel(const std::string& scene) {
@@ -37,17 +37,21 @@ reference::PixelD reference_pixel(const std::string& scene) {
   return reference::pixel_render(reference::Context(flat, {}), 0, 0);
 }
 
-TEST(Paths, WeakRaysAreLeftOutAndCounted) {
-  // 1 + ½ + ¼ + … down to the last weight that is not below 7e-5: 2^-13; the next one is dropped
-  const double expected = 2 - std::pow(0.5, 13), dropped = std::pow(0.5, 14);
+TEST(Paths, AChainOfMirrorsIsFollowedToItsEnd) {
+  const double expected = 2 - std::pow(0.5, 64);
   const std::string scene = facing_mirrors(R"("reflection": 0.5)", 64);
   const Pixel kernel = kernel_pixel(scene, 8);
   EXPECT_NEAR(kernel.radiance, expected, 1e-6);
-  EXPECT_EQ(kernel.rays, 13);
-  EXPECT_NEAR(kernel.dropped, dropped, 1e-12);
-  const reference::PixelD reference = reference_pixel(scene);
-  EXPECT_NEAR(reference.radiance.y, expected, 1e-12);
-  EXPECT_NEAR(reference.dropped, dropped, 1e-15);
+  EXPECT_EQ(kernel.rays, 64);
+  EXPECT_EQ(kernel.dropped, 0);
+  EXPECT_NEAR(reference_pixel(scene).radiance.y, expected, 1e-12);
+}
+
+// Nothing is dropped before all of them are more than the bound.
+TEST(Paths, UpToDepth11AllAreFollowed) {
+  const Pixel kernel = kernel_pixel(facing_mirrors(R"("reflection": 0.1, "refraction": 0.9, "ior": 1)", 11, 12), 8);
+  EXPECT_NEAR(kernel.radiance, 12, 1e-4);  // each bounce passes on all of the light
+  EXPECT_EQ(kernel.dropped, 0);
 }
 
 TEST(Paths, DepthEndsThemFirst) {
@@ -61,11 +65,12 @@ TEST(Paths, ATreeWithoutEndEnds) {
   // every hit sends on two rays of its whole weight: 2^64 of them without a bound
   const std::string scene = facing_mirrors(R"("reflection": 1, "refraction": 1, "ior": 1)", 64, 6);
   const Pixel kernel = kernel_pixel(scene, 8);
-  EXPECT_EQ(kernel.rays, PATHS_MAX);
+  EXPECT_LE(kernel.rays, SECONDARY_RAYS_MAX);
+  EXPECT_GT(kernel.rays, SECONDARY_RAYS_MAX / 4);
   EXPECT_GT(kernel.dropped, 1);
   const reference::PixelD reference = reference_pixel(scene);
   EXPECT_NEAR(kernel.radiance, reference.radiance.y, 1e-5 * reference.radiance.y);
-  EXPECT_NEAR(kernel.dropped, reference.dropped, 1e-5 * reference.dropped);
+  EXPECT_NEAR(kernel.dropped, reference.dropped_weight, 1e-5 * reference.dropped_weight);
 }
 
 }  // namespace

@@ -128,7 +128,7 @@ TEST_F(Render, SecondInterruptEndsAtOnce) {
   write("a.json", SCENE);
   // Its first batch takes minutes: only the second signal ends it.
   const Outcome r =
-      run("render a.json -o a.exr --quiet --size 256x256 --set /camera/vfov=5 --step 1e-6 --method march_midpoint", "",
+      run("render a.json -o a.exr --quiet --size 256x256 --set /camera/vfov=5 --step 1e-4 --method march_midpoint", "",
           "timeout -s KILL 60 sh -c '\"$@\" & sleep 2; kill -TERM $!; sleep 1; kill -TERM $!; wait $!' sh");
   EXPECT_EQ(r.exit_code, 130);
   EXPECT_EQ(files(), (std::set<std::string>{"a.json"}));

@@ -190,7 +190,7 @@ TEST(SceneRefusals, RefusesBrokenMedia) {
 TEST(SceneRefusals, RefusesBrokenRenderSettings) {
   expect_refused({
       {R"({"render": {"method": "x"}})", "/render/method: unknown method 'x'; known: auto, dda_nearest, dda_gauss2,"},
-      {R"({"render": {"step": 0}})", "/render/step: expected a number >= 1e-06, got 0"},
+      {R"({"render": {"step": 0}})", "/render/step: expected a number > 0, got 0"},
       {R"({"render": {"max_depth": 65}})", "/render/max_depth: expected an integer in [0, 64], got 65"},
       {R"({"render": {"max_depth": -1}})", "/render/max_depth: expected an integer in [0, 64], got -1"},
       {R"({"render": {"seed": -1}})", "/render/seed: expected an integer in [0, 2147483647], got -1"},

@@ -1,0 +1,100 @@
+// PoCL's kernel cache, damaged in every way: the program ends with a picture or a sentence, never by a signal.
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "program.hpp"
+
+namespace brume::test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* BALL =
+    R"({"film": {"size": [8, 8]}, "camera": {"eye": [0, 0, 4], "target": [0, 0, 0]}, "background": 0.5,
+  "shapes": [{"type": "sphere", "center": [0, 0, 0], "radius": 1, "material": "m"}], "materials": {"m": {"diffuse": 0.5}}})";
+
+class KernelCache : public Program {
+ protected:
+  void SetUp() override {
+    Program::SetUp();
+    write("a.json", BALL);
+    ASSERT_EQ(run("render a.json -o good.exr --quiet", cache()).exit_code, 0);
+  }
+  static std::string cache() { return "POCL_CACHE_DIR=kernels"; }
+
+  // Files whose name ends like this keep `share` of their bytes, the rest becomes zeros or is cut off.
+  void damage(const std::string& folder, const std::string& ending, double share, bool cut) const {
+    int count = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / folder)) {
+      const fs::path& file = entry.path();
+      if (!entry.is_regular_file() || file.extension() != ending) continue;
+      std::string bytes = text(file);
+      const auto keep = static_cast<std::size_t>(share * static_cast<double>(bytes.size()));
+      if (cut) {
+        bytes.resize(keep);
+      } else {
+        std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(keep), bytes.end(), '\0');
+      }
+      fs::remove(file);
+      std::ofstream(file, std::ios::binary) << bytes;
+      ++count;
+    }
+    ASSERT_GT(count, 0);
+  }
+
+  void expect_mended() const {
+    const Outcome r = run("render a.json -o a.exr --quiet", cache());
+    EXPECT_EQ(r.exit_code, 0) << r.err;
+    EXPECT_THAT(r.err, HasSubstr("starting again with a new one in kernels-fresh; delete kernels\n"));
+    EXPECT_EQ(run("compare a.exr good.exr --fail-above 0").exit_code, 0);
+  }
+};
+
+TEST_F(KernelCache, HalfACompiledKernelIsBuiltAgain) {
+  damage("kernels", ".so", 0.5, true);
+  expect_mended();
+  damage("kernels", ".so", 0, true);
+  expect_mended();  // from the fresh cache
+}
+
+TEST_F(KernelCache, AGarbledProgramIsBuiltAgain) {
+  damage("kernels", ".bc", 0.5, false);
+  expect_mended();
+  damage("kernels", ".bc", 0, true);
+  expect_mended();
+}
+
+TEST_F(KernelCache, TwoDamagedCachesAreNamed) {
+  damage("kernels", ".so", 0.5, true);
+  expect_mended();
+  damage("kernels-fresh", ".so", 0, true);
+  const Outcome r = run("render a.json -o b.exr --quiet", cache());
+  EXPECT_EQ(r.exit_code, 1) << r.err;
+  EXPECT_THAT(r.err, HasSubstr("delete its kernel cache kernels and kernels-fresh"));
+  EXPECT_FALSE(files().count("b.exr"));
+}
+
+TEST_F(KernelCache, AnEmptyNameIsNone) {
+  const Outcome r = run("render a.json -o a.exr --quiet", "POCL_CACHE_DIR= XDG_CACHE_HOME=" + folder_.string());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_TRUE(fs::exists(folder_ / "pocl/kcache"));
+}
+
+TEST_F(KernelCache, OneThatCannotBeWrittenIsToldAndKeptElsewhere) {
+  fs::create_directory(folder_ / "temporary");
+  const std::string environment = "POCL_CACHE_DIR=/dev/null/x TMPDIR=" + (folder_ / "temporary").string();
+  const Outcome r = run("render a.json -o a.exr", environment);
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.err, HasSubstr("note: the kernel cache /dev/null/x cannot be written: kernels are kept in " +
+                               (folder_ / "temporary/brume-kernels-").string()));
+  // Nobody else may put kernels there.
+  for (const auto& entry : fs::directory_iterator(folder_ / "temporary"))
+    fs::permissions(entry, fs::perms::all, fs::perm_options::replace);
+  const Outcome open = run("render a.json -o b.exr", environment);
+  EXPECT_EQ(open.exit_code, 1);
+  EXPECT_THAT(open.err, HasSubstr("the kernel cache /dev/null/x cannot be written"));
+}
+
+}  // namespace
+}  // namespace brume::test

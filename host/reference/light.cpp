@@ -1,6 +1,8 @@
 // Point, spot and directional lights, as kernels/shared/light.h defines them.
 #include "reference/light.hpp"
 
+#include <cmath>
+
 namespace brume::reference {
 namespace {
 
@@ -20,13 +22,14 @@ LightSample light_at(const Light& light, const dvec3& point) {
   const dvec3 intensity = vec_promote(light.intensity);
   if (light.type == LIGHT_DIRECTIONAL) return {vec_unit(vec_promote(light.direction)), intensity, INFINITE};
 
-  const dvec3 from_light = point - vec_promote(light.position);
+  // in the light's own length
+  const dvec3 from_light = point * std::exp2(-light.exponent) - vec_promote(light.position);
   const double distance = glm::length(from_light);
   if (distance == 0) return {};
   const dvec3 travel = from_light / distance;
   const double share = light.type == LIGHT_SPOT ? spot_share(light, travel) : 1;
   const double falloff = light.falloff == FALLOFF_INVERSE_SQUARE ? 1 / (distance * distance) : 1;
-  return {travel, intensity * (share * falloff), distance};
+  return {travel, intensity * (share * falloff), distance * std::exp2(light.exponent)};
 }
 
 }  // namespace brume::reference

@@ -17,7 +17,7 @@ struct PixelD {
 // One sample of one ray; `samples` is 1.
 PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& random = {});
 
-// All samples of pixel (x, y), y = 0 at the top.
+// All samples of pixel (x, y), y = 0 at the top; depth from the camera, in world units.
 PixelD pixel_render(const Context& context, int x, int y);
 
 // Renders the crop of scene.frame and overwrites those pixels; FilmPixel::shadow_rays, a statistic of devices, stays 0.

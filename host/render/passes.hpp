@@ -30,7 +30,7 @@ class Passes {
   void fill_light_grids(std::vector<PassStats>& stats);
   // Enqueues all passes over one batch and waits; adds times and items to `stats`.
   void run(const Batch& batch, std::vector<PassStats>& stats);
-  void read_film(Film& film, const Frame& frame) const;  // the rendered crop into its place
+  void read_film(Film& film, const Frame& frame) const;  // the rendered crop into its place, depths in flat units
 
  private:
   struct LightGridWork {

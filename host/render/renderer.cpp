@@ -14,14 +14,15 @@ namespace {
 // Small enough on a CPU that Ctrl-C answers soon, large enough on a GPU to fill it.
 constexpr int BATCH_CPU = 1 << 14, BATCH_GPU = 1 << 19;
 
-// Adds up what the rendered crop of the film counted.
-void count_work(const Film& film, const Frame& frame, RenderStats& stats) {
+// Adds up what the rendered crop of the film counted; depths into world units.
+void film_finish(Film& film, const Frame& frame, double unit, RenderStats& stats) {
   for (auto y = static_cast<std::size_t>(frame.crop_y0); y < static_cast<std::size_t>(frame.crop_y1); ++y)
     for (auto x = static_cast<std::size_t>(frame.crop_x0); x < static_cast<std::size_t>(frame.crop_x1); ++x) {
-      const FilmPixel& p = film.pixels()[y * static_cast<std::size_t>(film.size().x) + x];
+      FilmPixel& p = film.pixels()[y * static_cast<std::size_t>(film.size().x) + x];
       stats.lookups += p.lookups;
       stats.shadow_rays += p.shadow_rays;
       stats.secondary_rays += p.secondary_rays;
+      p.depth = static_cast<float>(p.depth * unit);
     }
 }
 
@@ -32,6 +33,7 @@ int bvh_width_for(int lanes) { return std::max(lanes, 4); }
 
 struct Renderer::State {
   Frame frame;
+  double unit;
   std::size_t crop_pixels, batch_rays;
   std::unique_ptr<Passes> passes;
   RenderStats stats;
@@ -42,6 +44,7 @@ struct Renderer::State {
 Renderer::Renderer(Context& context, const FlatScene& scene, const RenderOptions& options) : state_(new State) {
   State& s = *state_;
   s.frame = scene.frame;
+  s.unit = scene.unit;
   s.crop_pixels = static_cast<std::size_t>(s.frame.crop_x1 - s.frame.crop_x0) * (s.frame.crop_y1 - s.frame.crop_y0);
   const std::size_t wanted =
       options.batch_rays > 0 ? options.batch_rays : (context.device().cpu ? BATCH_CPU : BATCH_GPU);
@@ -86,7 +89,7 @@ bool Renderer::render(Film& film, const Progress& progress) {
   s.passes->read_film(film, s.frame);
   s.stats.render_s += watch.seconds();
   s.stats.primary_rays = done;
-  count_work(film, s.frame, s.stats);
+  film_finish(film, s.frame, s.unit, s.stats);
   return done == s.total_rays();
 }
 

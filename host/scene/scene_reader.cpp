@@ -19,7 +19,8 @@ constexpr int LIGHT_GRID_MAX = 1024;
 
 constexpr std::size_t FILE_BYTES_MAX = 64u << 20;
 constexpr int FILM_SIDE_MAX = 65536;
-constexpr double STEP_MIN = 1e-6;  // of the medium's longest side: a million steps
+constexpr double INTENSITY_MAX = 1e100;  // W/sr of a light inverse to the square of a distance that may itself be 1e38
+constexpr double STEP_MIN = 1e-6;        // of the medium's longest side: a million steps
 
 // By pieces, so that pipes work and an endless file does no harm.
 std::string file_text(const std::filesystem::path& file) {
@@ -102,7 +103,7 @@ LightDesc read_light(const JsonValue& light) {
     l.intensity = light.color("irradiance", l.intensity, Range::at_least_0());
   } else {
     l.position = light.get("position").as_vec3(Range::any());
-    l.intensity = light.color("intensity", l.intensity, Range::at_least_0());
+    l.intensity = light.color("intensity", l.intensity, Range::closed(0, INTENSITY_MAX));
     l.falloff = light.member("falloff", l.falloff, falloff_family(), "falloff");
   }
   if (l.type != LIGHT_POINT) {

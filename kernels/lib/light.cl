@@ -23,14 +23,15 @@ static inline LightSample light_sample(__global const Light* lights, int index, 
   s.travel = vec_unpack(light.direction);
   s.distance = INFINITY;
   if ((USES_LIGHT(POINT) || USES_LIGHT(SPOT)) && light.type != LIGHT_DIRECTIONAL) {
-    const float3 to_point = point - vec_unpack(light.position);
-    s.distance = length(to_point);
-    if (!(s.distance > 0.0f)) {  // at the light itself there is no direction, and nothing arrives
+    const float3 to_point = point * ldexp(1.0f, -light.exponent) - vec_unpack(light.position);
+    const float distance = length(to_point);
+    s.distance = ldexp(distance, light.exponent);
+    if (!(distance > 0.0f)) {  // at the light itself there is no direction, and nothing arrives
       s.irradiance = (float3)(0.0f);
       return s;
     }
-    s.travel = to_point / s.distance;
-    if (light.falloff == FALLOFF_INVERSE_SQUARE) s.irradiance /= s.distance * s.distance;
+    s.travel = to_point / distance;
+    if (light.falloff == FALLOFF_INVERSE_SQUARE) s.irradiance = s.irradiance / distance / distance;
     if (USES_LIGHT(SPOT) && light.type == LIGHT_SPOT)
       s.irradiance *= spot_cone(&light, dot(s.travel, vec_unpack(light.direction)));
   }

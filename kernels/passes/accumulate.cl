@@ -29,16 +29,16 @@ __kernel void accumulate(uint first_pixel, uint pixels, uint first_sample, uint 
   for (uint s = 0; s < samples; ++s) {
     const uint item = pixel * samples + s;
     const Sample sample = finished[item];
+    sum.shadow_rays += (float)results[item].shadow_rays;
+    sum.secondary_rays += (float)results[item].secondary_rays;
     packed_add(&sum.radiance, sample.radiance);
     packed_add(&sum.normal, sample.normal);
     packed_add(&sum.transmittance, results[item].transmittance);
     sum.samples += 1.0f;
     sum.lookups += (float)results[item].lookups;
-    sum.shadow_rays += (float)results[item].shadow_rays;
-    sum.secondary_rays += (float)results[item].secondary_rays;
     sum.key += sample.key;
     if (hits[item].primitive != PRIMITIVE_NONE) {
-      sum.depth += hits[item].t;
+      sum.depth += sample.depth;
       sum.hits += 1.0f;
     }
   }

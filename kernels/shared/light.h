@@ -27,6 +27,8 @@ enum Falloff {
       FALLOFF_COUNT
 };
 
+// A light far from the scene has a length of its own, 2^exponent flat units, in which its position and intensity are given:
+// neither its distance nor the square of it leaves float.
 typedef struct {
   Packed3 position;
   int type;
@@ -35,7 +37,8 @@ typedef struct {
   Packed3 intensity;  // W/sr; W/m² for directional
   float cos_outer;    // spot: no light where cos(angle to direction) <= cos_outer
   float cos_inner;    // spot: full light from here on; smoothstep x²(3-2x) in the cosine between the two
-  float pad[3];
+  int exponent;
+  float pad[2];
 } Light;
 BRUME_LAYOUT(Light, 64);
 BRUME_SHARED_END

@@ -62,7 +62,8 @@ int render_run(RenderArguments arguments) {
   const DeviceInfo device = device_choose(arguments.device);
   const int lanes = lanes_choose(device, arguments.lanes);
   const FlatScene flat = flatten(desc, {bvh_width_for(lanes), arguments.crop_box()});
-  for (const std::string& note : flat.notes) say(arguments, "note: " + note);
+  std::vector<std::string> notes = flat.notes;
+  for (const std::string& note : notes) say(arguments, "note: " + note);
   RunTimes times;
   times.load_s = lap.lap();
 
@@ -77,13 +78,17 @@ int render_run(RenderArguments arguments) {
       return !interrupt_requested();
     });
   }
+  if (renderer.stats().invalid_samples > 0) {
+    notes.push_back(invalid_note(renderer.stats()));
+    say(arguments, "note: " + notes.back());
+  }
   write_outputs(arguments, desc, flat, film, context, renderer.stats());
   times.total_s = total.seconds();
   if (!arguments.stats.empty())
     atomic_write(arguments.stats, render_stats_json(desc, flat, device, renderer.stats(), times));
   say(arguments, render_summary(desc, flat, device, renderer.stats(), times));
   if (!complete) throw Interrupted("interrupted; what was done has been written");
-  return 0;
+  return arguments.strict && !notes.empty() ? 1 : 0;
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, cons
       {"total_s", times.total_s},
       {"rays", {{"primary", stats.primary_rays}, {"secondary", stats.secondary_rays}, {"shadow", stats.shadow_rays}}},
       {"lookups", stats.lookups},
+      {"invalid_samples", stats.invalid_samples},
       {"passes", passes},
       {"memory",
        {{"device_bytes", stats.device_bytes}, {"voxel_bytes", stats.voxel_bytes}, {"bvh_bytes", stats.bvh_bytes}}},
@@ -50,6 +51,15 @@ ImageMetadata render_metadata(const SceneDesc& desc, const FlatScene& flat, cons
   return {{"scene", desc.file.string()}, {"method", method_name(flat)},          {"device", device.title()},
           {"driver", device.driver},     {"lanes", std::to_string(stats.lanes)}, {"spp", std::to_string(desc.film.spp)},
           {"version", VERSION}};
+}
+
+std::string invalid_note(const RenderStats& stats) {
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "%.0f of %.0f samples are no number or brighter than %g and left out, the first at pixel %d,%d",
+                stats.invalid_samples, stats.primary_rays, double(SAMPLE_MAX), stats.first_invalid.x,
+                stats.first_invalid.y);
+  return text;
 }
 
 std::string render_summary(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,

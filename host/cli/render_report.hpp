@@ -19,6 +19,8 @@ std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, cons
                               const RenderStats& stats, const RunTimes& times);
 ImageMetadata render_metadata(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
                               const RenderStats& stats);
+// What is told where samples were left out.
+std::string invalid_note(const RenderStats& stats);
 std::string render_summary(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
                            const RenderStats& stats, const RunTimes& times);
 

@@ -72,6 +72,7 @@ FilmPixel film_pixel(const PixelD& p) {
   pixel.hits = static_cast<float>(p.hits);
   pixel.lookups = static_cast<float>(p.lookups);
   pixel.key = p.key;
+  pixel.invalid = static_cast<float>(p.invalid);
   return pixel;
 }
 
@@ -150,6 +151,12 @@ FrameRayD start_before_planes(const FlatScene& scene, const FrameRayD& from) {
   return {{from.ray.at(-back), from.ray.dir}, from.start - back};
 }
 
+// What float could not hold, and what no sum over samples should meet.
+bool is_valid(const PixelD& sample) {
+  const dvec3& r = sample.radiance;
+  return std::abs(r.x) <= SAMPLE_MAX && std::abs(r.y) <= SAMPLE_MAX && std::abs(r.z) <= SAMPLE_MAX;
+}
+
 }  // namespace
 
 PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& random) {
@@ -167,7 +174,11 @@ PixelD pixel_render(const Context& context, int x, int y) {
     const FrameRayD camera = start_before_planes(context.scene, frame_ray(frame, x, y, position));
     PixelD one = ray_render(context, camera.ray, {pixel, static_cast<uint>(sample), frame.seed});
     one.depth = (one.depth + one.hits * camera.start) * context.scene.unit;
-    pixel_add(sum, one);
+    if (is_valid(one)) {
+      pixel_add(sum, one);
+    } else {
+      ++sum.invalid;
+    }
   }
   return sum;
 }

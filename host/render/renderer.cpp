@@ -23,6 +23,8 @@ void film_finish(Film& film, const Frame& frame, double unit, RenderStats& stats
       stats.shadow_rays += p.shadow_rays;
       stats.secondary_rays += p.secondary_rays;
       p.depth = static_cast<float>(p.depth * unit);
+      if (p.invalid > 0 && stats.invalid_samples == 0) stats.first_invalid = {static_cast<int>(x), static_cast<int>(y)};
+      stats.invalid_samples += p.invalid;
     }
 }
 

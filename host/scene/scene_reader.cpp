@@ -149,7 +149,7 @@ SceneDesc scene_read_text(std::string_view text, const std::filesystem::path& as
   desc.file = as_file;
   desc.camera = read_camera(scene);
   desc.film = read_film(scene);
-  desc.background = scene.color("background", desc.background, Range::at_least_0());
+  desc.background = scene.color("background", desc.background, Range::closed(0, RADIANCE_MAX));
   desc.ambient = scene.color("ambient", desc.ambient, Range::at_least_0());
   desc.lights = read_lights(scene);
   desc.materials = read_materials(scene, folder);

@@ -271,5 +271,25 @@ TEST_F(DensityUnitOfFiles, OnlyDensityTimesCoefficientMatters) {
   for (const float factor : {1e-30f, 1e-10f, 1e10f, 1e37f}) expect_same(film(factor), base, 1e-5, number_text(factor));
 }
 
+// A light on a surface is brighter there than float holds: those samples are counted, the others stay.
+TEST(NotFinite, IsCountedAndLeftOut) {
+  const FlatScene scene = scene_of(R"({"camera": {"eye": [0, 0, 3]}, "film": {"spp": 4}, "background": 0.25,
+    "lights": [{"type": "point", "position": [0, 0, 0.01], "intensity": 3e33}],
+    "shapes": [{"type": "quad", "corner": [-0.5, -0.5, 0]}]})");
+  const Film film = film_of(scene), reference = reference_of(scene);
+  double invalid = 0, expected = 0, seen = 0;
+  for (std::size_t i = 0; i < film.pixels().size(); ++i) {
+    const FilmPixel& p = film.pixels()[i];
+    ASSERT_TRUE(std::isfinite(p.radiance.x + p.depth + p.normal.z + p.transmittance.x)) << i;
+    ASSERT_EQ(p.samples + p.invalid, 4) << i;
+    invalid += p.invalid;
+    expected += reference.pixels()[i].invalid;
+    seen += p.hits > 0;
+  }
+  EXPECT_GT(invalid, 10);
+  EXPECT_NEAR(invalid, expected, 2);
+  EXPECT_GT(seen, 10);
+}
+
 }  // namespace
 }  // namespace brume::test

@@ -31,7 +31,7 @@ TEST(SceneRefusals, RefusesBrokenWholes) {
       {R"({"film": {"spp": 1, "spp": 2}})", "line 1, column "},
       {R"({"film": {"exposure": 1e400}})", "line 1, column "},
       {R"({"background": "red"})", "/background: expected a number or 3 numbers, got \"red\""},
-      {R"({"background": -1})", "/background: expected a number >= 0, got -1"},
+      {R"({"background": -1})", "/background: expected a number in [0, 3e+32], got -1"},
       {R"({"ambient": [0, -1, 0]})", "/ambient/1: expected a number >= 0, got -1"},
       {R"({"lights": {}})", "/lights: expected a list, got {}"},
       {R"({"materials": []})", "/materials: expected an object, got []"},

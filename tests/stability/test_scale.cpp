@@ -1,31 +1,12 @@
-// What a picture must not depend on: the size of the world, the distance of the camera and of lights, the unit of densities.
-#include <cmath>
+// What a picture must not depend on: the size of the world, the distance of the camera and of lights.
 #include <iterator>
 #include <regex>
 
-#include "check/check_images.hpp"
-#include "flat/flatten.hpp"
-#include "reference/render.hpp"
 #include "render/program.hpp"
-#include "render/renderer.hpp"
-#include "scene/scene_reader.hpp"
-#include "volume/formats/openvdb.hpp"
+#include "stability/worlds.hpp"
 
 namespace brume::test {
 namespace {
-
-constexpr int LANES = 8;
-
-Context& pocl() {
-  static Context context(device_choose("portable computing language"));
-  return context;
-}
-
-std::string number_text(double v) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", v);
-  return text;
-}
 
 // "<n x>" becomes x · unit^n, "<x>" x · unit.
 std::string in_units(const std::string& text, double unit) {
@@ -39,36 +20,6 @@ std::string in_units(const std::string& text, double unit) {
     at = (*i)[0].second;
   }
   return out.append(at, text.cend());
-}
-
-FlatScene scene_of(const std::string& text, const fs::path& folder = "", int size = 24) {
-  SceneDesc desc = scene_read_text(text, folder / "world.json", {});
-  desc.film.size = {size, size};
-  return flatten(desc, {bvh_width_for(LANES), {}});
-}
-
-Film film_of(const FlatScene& scene) { return render_film(pocl(), scene, LANES); }
-
-Film reference_of(const FlatScene& scene) {
-  Film film({scene.frame.camera.width, scene.frame.camera.height});
-  reference::render(scene, film);
-  return film;
-}
-
-void expect_same(const Film& film, const Film& base, double limit, const std::string& what) {
-  const CheckRow row = film_check("", LANES, film, base);
-  EXPECT_LE(row.max_error, limit) << what;
-  EXPECT_LE(row.edges, 2u) << what;
-}
-
-// Something is seen: a black or even picture would be the same at any size.
-void expect_shows(const Film& film, const std::string& what) {
-  float lo = INFINITY, hi = 0;
-  for (const FilmPixel& p : film.pixels()) {
-    lo = std::min(lo, p.radiance.y / p.samples);
-    hi = std::max(hi, p.radiance.y / p.samples);
-  }
-  EXPECT_GT(hi, lo + 0.05f) << what;
 }
 
 // Depths of equal pixels: equal shares of the unit.
@@ -140,6 +91,20 @@ TEST_F(Scale, ThePictureIsTheSameFromTenToTheMinus25To25) {
       expect_same(film, reference_of(scene), 1e-4, what + ", reference");
     }
   }
+}
+
+// Nor does what is small in a world care how large the sky about it is.
+TEST(ScaleWithin, SmallThingsInALargeWorldStay) {
+  const auto film = [](double radius) {
+    std::string text = in_units(WORLDS[0].text, 1);
+    text.insert(text.find(R"("mirror":)"), R"("sky": {"diffuse": 0, "emission": 0.3}, )");
+    text.insert(text.find(R"({"type": "sphere")"),
+                R"({"type": "sphere", "material": "sky", "radius": )" + number_text(radius) + "}, ");
+    return film_of(scene_of(text));
+  };
+  const Film base = film(1e6);
+  expect_shows(base, "sky");
+  for (const double radius : {1e10, 1e15, 1e17}) expect_same(film(radius), base, 1e-4, number_text(radius));
 }
 
 // A power of two rounds nothing.
@@ -224,71 +189,6 @@ TEST(LightDistance, FarPointLightsAreDirectional) {
     std::snprintf(scene, sizeof scene, text, light.c_str());
     expect_same(film_of(scene_of(scene)), sun, 1e-4, light);
   }
-}
-
-std::string fog_text(const std::string& density, double factor, const std::string& render) {
-  return R"({"camera": {"eye": [3.5, 3.5, 40], "target": [3.5, 3.5, 3.5], "vfov": 15}, "background": 0.1,
-    "lights": [{"type": "directional", "direction": [-1, -1, -1], "irradiance": 10}],
-    "media": [{"bounds": [[0, 0, 0], [8, 8, 8]], "density": )" +
-         density + R"(, "sigma_a": )" + number_text(0.05 / factor) + R"(, "sigma_s": )" + number_text(0.2 / factor) +
-         R"(, "emission": )" + number_text(0.02 / factor) + R"(}], "render": {)" + render + "}}";
-}
-
-TEST(DensityUnit, OnlyDensityTimesCoefficientMatters) {
-  const std::pair<const char*, double> renders[] = {
-      {R"("method": "auto")", 1e-5},
-      {R"("method": "dda_gauss2")", 1e-5},
-      {R"("method": "march_midpoint")", 1e-5},
-      {R"("method": "ratio_tracking")", 1e-5},
-      {R"("method": "delta_tracking")", 1e-5},
-      {R"("method": "dda_midpoint", "storage": "f16")", 1e-3},  // rounds densities
-      {R"("method": "dda_midpoint", "storage": "u8")", 1e-5},
-      {R"("method": "dda_midpoint", "shadow": "grid", "light_grid": 8)", 1e-5}};
-  for (const auto& [render, limit] : renders) {
-    const auto film = [render = render](double factor) {
-      return film_of(
-          scene_of(fog_text(R"({"type": "constant", "resolution": [8, 8, 8], "value": )" + number_text(factor) + "}",
-                            factor, render),
-                   "", 12));
-    };
-    const Film base = film(1);
-    for (const double factor : {1e-37, 1e-21, 1e21, 1e37})
-      expect_same(film(factor), base, limit, std::string(render) + " " + number_text(factor));
-  }
-}
-
-using DensityUnitOfFiles = Program;
-
-TEST_F(DensityUnitOfFiles, OnlyDensityTimesCoefficientMatters) {
-  const auto film = [this](float factor) {
-    Grid grid{ivec3(8)};
-    for (int i = 0; i < 512; ++i) grid.set({i % 8, i / 8 % 8, i / 64}, factor * (0.5f + 0.01f * float(i * 37 % 97)));
-    vdb_write(grid, folder_ / "a.vdb");
-    return film_of(scene_of(fog_text(R"({"type": "file", "path": "a.vdb"})", factor, ""), folder_, 12));
-  };
-  const Film base = film(1);
-  expect_shows(base, "file");
-  for (const float factor : {1e-30f, 1e-10f, 1e10f, 1e37f}) expect_same(film(factor), base, 1e-5, number_text(factor));
-}
-
-// A light on a surface is brighter there than float holds: those samples are counted, the others stay.
-TEST(NotFinite, IsCountedAndLeftOut) {
-  const FlatScene scene = scene_of(R"({"camera": {"eye": [0, 0, 3]}, "film": {"spp": 4}, "background": 0.25,
-    "lights": [{"type": "point", "position": [0, 0, 0.01], "intensity": 3e33}],
-    "shapes": [{"type": "quad", "corner": [-0.5, -0.5, 0]}]})");
-  const Film film = film_of(scene), reference = reference_of(scene);
-  double invalid = 0, expected = 0, seen = 0;
-  for (std::size_t i = 0; i < film.pixels().size(); ++i) {
-    const FilmPixel& p = film.pixels()[i];
-    ASSERT_TRUE(std::isfinite(p.radiance.x + p.depth + p.normal.z + p.transmittance.x)) << i;
-    ASSERT_EQ(p.samples + p.invalid, 4) << i;
-    invalid += p.invalid;
-    expected += reference.pixels()[i].invalid;
-    seen += p.hits > 0;
-  }
-  EXPECT_GT(invalid, 10);
-  EXPECT_NEAR(invalid, expected, 2);
-  EXPECT_GT(seen, 10);
 }
 
 }  // namespace

@@ -42,6 +42,11 @@ void light_place(const LightDesc& desc, const FlatScene& scene, Light& light) {
     light.intensity = packed(desc.intensity / (scene.unit * length) / (scene.unit * length));
 }
 
+float one_minus_cos(double degrees) {
+  const double half = std::sin(glm::radians(0.5 * degrees));
+  return static_cast<float>(2 * half * half);
+}
+
 Bounds flat_bounds(const Bounds& world, const FlatScene& scene) {
   Bounds flat;
   if (world.empty()) return flat;
@@ -90,8 +95,8 @@ void flatten_lights(const SceneDesc& desc, FlatScene& scene) {
     light.direction = packed(glm::normalize(l.direction));
     light.intensity = packed(l.intensity);
     if (l.type != LIGHT_DIRECTIONAL) light_place(l, scene, light);
-    light.cos_outer = static_cast<float>(std::cos(glm::radians(l.angle)));
-    light.cos_inner = static_cast<float>(std::cos(glm::radians(l.angle * (1 - l.softness))));
+    light.outer = one_minus_cos(l.angle);
+    light.inner = one_minus_cos(l.angle * (1 - l.softness));
     scene.lights.push_back(light);
   }
   scene.frame.light_count = static_cast<int>(scene.lights.size());

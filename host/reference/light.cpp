@@ -8,11 +8,11 @@ namespace {
 
 // Share of a spot's intensity: 0 outside, 1 inside, x²(3-2x) in the cosine between.
 double spot_share(const Light& light, const dvec3& travel) {
-  const double cosine = glm::dot(travel, vec_unit(vec_promote(light.direction)));
-  const double outer = light.cos_outer, inner = light.cos_inner;
-  if (cosine <= outer) return 0;
-  if (cosine >= inner) return 1;
-  const double x = (cosine - outer) / (inner - outer);
+  const double beside = 1 - glm::dot(travel, vec_unit(vec_promote(light.direction)));
+  const double outer = light.outer, inner = light.inner;
+  if (beside >= outer) return 0;
+  if (beside <= inner) return 1;
+  const double x = (outer - beside) / (outer - inner);
   return x * x * (3 - 2 * x);
 }
 

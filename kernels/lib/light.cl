@@ -9,10 +9,13 @@ typedef struct {
   float distance;     // to the light; INFINITY for directional
 } LightSample;
 
-static inline float spot_cone(const Light* light, float cos_angle) {
-  if (cos_angle <= light->cos_outer) return 0.0f;
-  if (cos_angle >= light->cos_inner) return 1.0f;
-  const float x = (cos_angle - light->cos_outer) / (light->cos_inner - light->cos_outer);
+// 1 - cos of the angle between unit vectors is half the square of their difference.
+static inline float spot_cone(const Light* light, float3 travel) {
+  const float3 off = travel - vec_unpack(light->direction);
+  const float beside = 0.5f * dot(off, off);
+  if (beside >= light->outer) return 0.0f;
+  if (beside <= light->inner) return 1.0f;
+  const float x = (light->outer - beside) / (light->outer - light->inner);
   return x * x * (3.0f - 2.0f * x);
 }
 
@@ -32,8 +35,7 @@ static inline LightSample light_sample(__global const Light* lights, int index, 
     }
     s.travel = to_point / distance;
     if (light.falloff == FALLOFF_INVERSE_SQUARE) s.irradiance = s.irradiance / distance / distance;
-    if (USES_LIGHT(SPOT) && light.type == LIGHT_SPOT)
-      s.irradiance *= spot_cone(&light, dot(s.travel, vec_unpack(light.direction)));
+    if (USES_LIGHT(SPOT) && light.type == LIGHT_SPOT) s.irradiance *= spot_cone(&light, s.travel);
   }
   return s;
 }

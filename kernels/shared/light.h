@@ -35,8 +35,9 @@ typedef struct {
   Packed3 direction;  // unit; the direction the light travels
   int falloff;
   Packed3 intensity;  // W/sr; W/m² for directional
-  float cos_outer;    // spot: no light where cos(angle to direction) <= cos_outer
-  float cos_inner;    // spot: full light from here on; smoothstep x²(3-2x) in the cosine between the two
+  // Of 1 - cos(angle to direction), in which float tells the narrowest cones apart:
+  float outer;  // spot: no light from here on
+  float inner;  // spot: full light up to here; smoothstep x²(3-2x) in the cosine between the two
   int exponent;
   float pad[2];
 } Light;

@@ -191,5 +191,22 @@ TEST(LightDistance, FarPointLightsAreDirectional) {
   }
 }
 
+// A disc of radius 0.6 in the middle of the picture, from however far.
+TEST(LightDistance, NarrowSpotsLightADisc) {
+  for (const double distance : {10.0, 1e3, 2e4}) {
+    const FlatScene scene = scene_of(
+        R"({"camera": {"type": "orthographic"}, "shapes": [{"type": "quad", "corner": [-1, -1, 0], "u": [2, 0, 0], "v": [0, 2, 0]}],
+        "lights": [{"type": "spot", "falloff": "none", "softness": 0, "position": [0, 0, )" +
+        number_text(distance) + R"(], "direction": [0, 0, -1], "angle": )" +
+        number_text(std::atan(0.6 / distance) * 180 / M_PI) + "}]}");
+    const Film film = film_of(scene);
+    for (int i = 0; i < 24 * 24; ++i) {
+      const double radius = std::hypot((i % 24 - 11.5) / 12, (i / 24 - 11.5) / 12);
+      if (std::abs(radius - 0.6) < 0.01) continue;
+      ASSERT_EQ(film.pixels()[std::size_t(i)].radiance.y > 0, radius < 0.6) << distance << ", pixel " << i;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace brume::test

@@ -26,9 +26,10 @@ static inline LightSample light_sample(__global const Light* lights, int index, 
   s.travel = vec_unpack(light.direction);
   s.distance = INFINITY;
   if ((USES_LIGHT(POINT) || USES_LIGHT(SPOT)) && light.type != LIGHT_DIRECTIONAL) {
-    const float3 to_point = point * ldexp(1.0f, -light.exponent) - vec_unpack(light.position);
+    const int far = light.exponent != 0;  // few are: a branch costs less than two ldexp
+    const float3 to_point = (far ? point * ldexp(1.0f, -light.exponent) : point) - vec_unpack(light.position);
     const float distance = length(to_point);
-    s.distance = ldexp(distance, light.exponent);
+    s.distance = far ? ldexp(distance, light.exponent) : distance;
     if (!(distance > 0.0f)) {  // at the light itself there is no direction, and nothing arrives
       s.irradiance = (float3)(0.0f);
       return s;

@@ -79,7 +79,8 @@ std::string JsonValue::got() const {
 double JsonValue::as_number(const Range& range) const {
   if (!json_->is_number()) fail("expected a number" + range.text() + got());
   const double v = json_->get<double>();
-  if (!(std::abs(v) <= FLOAT_MAX)) fail("expected a number of at most 3.4e38" + got());
+  const double most = range.hi_open ? FLOAT_MAX : std::max(FLOAT_MAX, range.hi);
+  if (!(std::abs(v) <= most)) fail("expected a number of at most 3.4e38" + got());
   if (!range.holds(v)) fail("expected a number" + range.text() + got());
   return v;
 }

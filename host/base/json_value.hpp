@@ -44,7 +44,7 @@ class JsonValue {
   [[noreturn]] void fail(const std::string& cause) const;
   std::string got() const;  // ", got " this value, shortened: the end of a message
 
-  // The value itself. Numbers beyond the range of float are refused in any range.
+  // The value itself. Numbers beyond the range of float are refused in any range that does not name a larger one.
   double as_number(const Range& range) const;
   int as_integer(int lo, int hi) const;
   std::string as_string() const;

@@ -81,8 +81,9 @@ std::vector<CheckRow> check_camera(Context& context, int lanes, int items) {
     for (int i = 0; i < items; ++i) {
       const int pixel = i * 37 % (camera.width * camera.height), sample = i % camera.spp;
       const auto u = [&](uint dimension) { return reference::rng_uniform(pixel, sample, dimension, scene.frame.seed); };
-      const auto ray = reference::camera_ray(camera, pixel % camera.width, pixel / camera.width,
-                                             reference::pixel_position(sample, camera.spp, u(0), u(1)));
+      const auto ray = reference::frame_ray(scene.frame, pixel % camera.width, pixel / camera.width,
+                                            reference::pixel_position(sample, camera.spp, u(0), u(1)))
+                           .ray;
       add3(sum, &found[6 * i], ray.origin);
       add3(sum, &found[6 * i + 3], ray.dir);
     }

@@ -143,8 +143,15 @@ void huge_grid(StabilityRun& run) {
   run.compare(scene, rays, 1e-4, false);
 }
 
-// The picture of a small world, moved and scaled with its coefficients.
-Film world_film(const StabilityRun& run, double scale, const dvec3& shift) {
+// The same small world: scaled with its coefficients, moved, seen from a distance, in other units of density.
+struct World {
+  double scale = 1;
+  dvec3 shift{0};
+  double distance = 0;  // of an orthographic camera; 0: a perspective one
+  double density = 1;   // else: of an even medium, whose coefficients are divided by it
+};
+
+Film world_film(const StabilityRun& run, const World& world) {
   SceneDesc desc = scene_read_text(
       R"({"film": {"size": [24, 24]}, "background": [0.1, 0.2, 0.3],
       "camera": {"eye": [1.5, 1.5, 3.5]},
@@ -157,14 +164,23 @@ Film world_film(const StabilityRun& run, double scale, const dvec3& shift) {
   MediumDesc& m = desc.media[0];
   if (run.method() != METHOD_HOMOGENEOUS) m.density.type = "linear";
   if (!(method_fits(run.method()) & (FITS_TRILINEAR | FITS_CONSTANT))) m.interpolation = INTERPOLATION_NEAREST;
-  desc.camera.eye = scale * desc.camera.eye + shift;
-  desc.camera.target = scale * desc.camera.target + shift;
+  const auto place = [&](const dvec3& p) { return world.scale * p + world.shift; };
+  if (world.distance > 0) {
+    desc.camera.type = CAMERA_ORTHOGRAPHIC;
+    desc.camera.eye = world.distance * dvec3(0, 0.6, 0.8);
+  }
+  desc.camera.eye = place(desc.camera.eye);
+  desc.camera.target = place(desc.camera.target);
   SphereDesc& ball = std::get<SphereDesc>(desc.shapes[0].geometry);
-  ball.center = scale * ball.center + shift;
-  ball.radius *= scale;
-  for (dvec3& corner : *m.bounds) corner = scale * corner + shift;
-  m.sigma_a /= scale;
-  m.sigma_s /= scale;
+  ball.center = place(ball.center);
+  ball.radius *= world.scale;
+  for (dvec3& corner : *m.bounds) corner = place(corner);
+  if (world.density != 1) {
+    m.density.type = "constant";
+    m.density.value = world.density;
+  }
+  m.sigma_a /= world.scale * world.density;
+  m.sigma_s /= world.scale * world.density;
   return render_film(run.context(), flatten(desc, {std::max(run.lanes(), 4), {}}), run.lanes());
 }
 
@@ -185,24 +201,31 @@ double film_difference(const Film& a, const Film& b, std::size_t* edges) {
   return worst;
 }
 
-void world_compare(StabilityRun& run, const std::vector<std::pair<double, dvec3>>& worlds, double limit) {
-  const Film base = world_film(run, 1, dvec3(0));
+// Each world against the first.
+void world_compare(StabilityRun& run, const std::vector<World>& worlds, double limit) {
+  const Film base = world_film(run, worlds[0]);
   double worst = 0;
   std::size_t edges = 0;
-  for (const auto& [scale, shift] : worlds)
-    worst = std::max(worst, film_difference(world_film(run, scale, shift), base, &edges));
+  for (const World& world : worlds) worst = std::max(worst, film_difference(world_film(run, world), base, &edges));
   run.expect(worst <= limit && edges <= 2 * worlds.size(), "more than " + number(limit));
   run.record("picture off by " + number(worst) + ", " + std::to_string(edges) + " edge pixels");
 }
 
-void scaled(StabilityRun& run) {
+void scaled(StabilityRun& run) { world_compare(run, {{}, {1e-25}, {1e-4}, {0.37}, {1e4}, {1e25}}, 1e-4); }
+
+void dense_units(StabilityRun& run) {
   const dvec3 none(0);
-  world_compare(run, {{1e-4, none}, {1e-2, none}, {0.37, none}, {1e2, none}, {1e4, none}}, 1e-4);
+  world_compare(run, {{1, none, 0, 2}, {1, none, 0, 1e-37}, {1, none, 0, 1e-10}, {1, none, 0, 1e37}}, 1e-4);
+}
+
+void far_camera(StabilityRun& run) {
+  const dvec3 none(0);
+  world_compare(run, {{1, none, 4}, {1, none, 5e4}, {1, none, 5e7}, {1, none, 1e12}}, 1e-4);
 }
 
 // By a multiple of a power of two the scene's own origin takes it up without loss; else by what float rounds.
 void shifted(StabilityRun& run) {
-  world_compare(run, {{1, {1e5, -1e5, 1e5}}, {1, {65536, 0, 0}}, {1e2, {1e5, 1e5, 0}}}, 1e-4);
+  world_compare(run, {{}, {1, {1e5, -1e5, 1e5}}, {1, {65536, 0, 0}}, {1e2, {1e5, 1e5, 0}}}, 1e-4);
 }
 
 // The same ramp at twice the resolution: along rays that stay away from its rim by half a coarse voxel.
@@ -233,7 +256,10 @@ const std::vector<StabilityEntry> STABILITY_MEDIA = {
     {"phase_limits", "g up to +-0.999999", phase_limits, all_methods},
     {"hot_voxel", "one voxel of 1e4 among voxels of about 1", hot_voxel, has_grid},
     {"huge_grid", "2^31 cells, one brick stored", huge_grid, has_grid},
-    {"scaled", "the world scaled by 1e-4 to 1e4: the same picture", scaled, all_methods},
+    {"scaled", "the world scaled by 1e-25 to 1e25: the same picture", scaled, all_methods},
+    {"dense_units", "densities of 1e-37 to 1e37 with coefficients by as much smaller: the same picture", dense_units,
+     all_methods},
+    {"far_camera", "an orthographic camera up to 1e12 away: the same picture", far_camera, all_methods},
     {"shifted", "the world shifted by 1e5: the same picture", shifted, all_methods},
     {"refined", "voxel size halved, the same field", refined, has_grid},
 };

@@ -87,7 +87,7 @@ Json medium_info(const FlatScene& flat, const Medium& m) {
   return {{"method", family_name(method_family(), m.method)},
           {"interpolation", family_name(interpolation_family(), m.interpolation)},
           {"cells", {m.cells_x, m.cells_y, m.cells_z}},
-          {"step", m.step},
+          {"step", m.step * flat.unit},
           {"bricks", {{"all", count}, {"stored", stored}, {"empty", empty}, {"constant", constant}}}};
 }
 

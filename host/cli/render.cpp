@@ -86,7 +86,8 @@ int render_run(RenderArguments arguments) {
   const DeviceInfo device = device_choose(arguments.device);
   const int lanes = lanes_choose(device, arguments.lanes);
   const FlatScene flat = flatten(desc, {bvh_width_for(lanes), arguments.crop_box()});
-  for (const std::string& note : flat.notes) say(arguments, "note: " + note);
+  std::vector<std::string> notes = flat.notes;
+  for (const std::string& note : notes) say(arguments, "note: " + note);
   RunTimes times;
   times.load_s = lap.lap();
 
@@ -94,7 +95,10 @@ int render_run(RenderArguments arguments) {
   Renderer renderer(context, flat, {lanes, arguments.generic, 0});
   Film film(desc.film.size);
   const auto write = [&] {
-    if (renderer.stats().dropped_rays > 0) say(arguments, "note: " + dropped_note(renderer.stats()));
+    const std::size_t told = notes.size();
+    if (renderer.stats().dropped_rays > 0) notes.push_back(dropped_note(renderer.stats()));
+    if (renderer.stats().invalid_samples > 0) notes.push_back(invalid_note(renderer.stats()));
+    for (std::size_t i = told; i < notes.size(); ++i) say(arguments, "note: " + notes[i]);
     write_outputs(arguments, desc, flat, film, context, renderer.stats());
     times.total_s = total.seconds();
     if (!arguments.stats.empty())
@@ -104,7 +108,7 @@ int render_run(RenderArguments arguments) {
   write();
   say(arguments, render_summary(desc, flat, device, renderer.stats(), times));
   if (!complete) throw Interrupted("interrupted; what was done has been written");
-  return 0;
+  return arguments.strict && !notes.empty() ? 1 : 0;
 }
 
 }  // namespace

@@ -57,6 +57,7 @@ void RenderArguments::add_options(CLI::App& command) {
   command.add_option("--set", overrides, "/json/pointer=VALUE: override a value of the scene. Repeatable");
   command.add_option("--save-scene", save_scene, "Write the scene that was rendered, to go on from");
   command.add_option("--stats", stats, "Write times, counts and memory as JSON");
+  command.add_flag("--strict", strict, "Exit 1, after writing, if anything had to be noted");
   command.add_flag("--quiet", quiet, "No progress, no notes");
 }
 

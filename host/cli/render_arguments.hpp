@@ -21,7 +21,7 @@ struct RenderArguments {
   std::optional<double> exposure, step, max_error;
   std::optional<int> spp, seed;
   int lanes = 0;  // 0: the device's choice
-  bool generic = false, quiet = false;
+  bool generic = false, quiet = false, strict = false;
   std::vector<std::string> overrides;
   std::filesystem::path stats, save_scene;
 

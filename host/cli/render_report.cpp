@@ -44,6 +44,7 @@ std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, cons
         {"dropped", stats.dropped_rays}}},
       {"lookups", stats.lookups},
       {"dropped_weight", stats.primary_rays > 0 ? stats.dropped_weight / stats.primary_rays : 0},
+      {"invalid_samples", stats.invalid_samples},
       {"passes", passes},
       {"memory",
        {{"device_bytes", stats.device_bytes}, {"voxel_bytes", stats.voxel_bytes}, {"bvh_bytes", stats.bvh_bytes}}},
@@ -64,6 +65,15 @@ std::string dropped_note(const RenderStats& stats) {
                 "%.0f reflected and refracted rays were dropped, a sample may send on %d; together they weigh %.2g %% "
                 "of a sample in the mean",
                 stats.dropped_rays, SECONDARY_RAYS_MAX, 100 * stats.dropped_weight / stats.primary_rays);
+  return text;
+}
+
+std::string invalid_note(const RenderStats& stats) {
+  char text[256];
+  std::snprintf(text, sizeof text,
+                "%.0f of %.0f samples are no number or brighter than %g and left out, the first at pixel %d,%d",
+                stats.invalid_samples, stats.primary_rays, double(SAMPLE_MAX), stats.first_invalid.x,
+                stats.first_invalid.y);
   return text;
 }
 

@@ -21,6 +21,8 @@ ImageMetadata render_metadata(const SceneDesc& desc, const FlatScene& flat, cons
                               const RenderStats& stats);
 // What is told where reflected and refracted rays were dropped.
 std::string dropped_note(const RenderStats& stats);
+// What is told where samples were left out.
+std::string invalid_note(const RenderStats& stats);
 std::string render_summary(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
                            const RenderStats& stats, const RunTimes& times);
 

@@ -17,8 +17,13 @@
 namespace brume {
 
 struct FlatScene {
-  // All positions are relative to `origin` (world units): float is spent on the scene, not on where it stands.
+  // Lengths are in units of the scene's own size, positions relative to `origin` (both in world units): float is spent on the
+  // scene, not on where it stands or how large it is. `unit` is a power of two, so that it rounds nothing; coefficients are per
+  // flat unit, intensities that fall off with distance per flat unit squared.
   glm::dvec3 origin{0};
+  double unit = 1;
+  glm::dvec3 point(const glm::dvec3& world) const { return (world - origin) / unit; }
+  glm::dvec3 world(const glm::dvec3& point) const { return point * unit + origin; }
   Frame frame{};
 
   std::vector<Light> lights;

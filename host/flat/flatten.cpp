@@ -1,8 +1,9 @@
-// See flatten.hpp: the order of the parts, and where the origin goes.
+// See flatten.hpp: the order of the parts, where the origin goes and how long a flat unit is.
 #include "flat/flatten.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 
 #include "base/error.hpp"
 #include "flat/flatten_parts.hpp"
@@ -11,14 +12,27 @@ namespace brume {
 
 namespace {
 
+// A box about what the camera looks at, for scenes without anything finite.
+Bounds view_bounds(const CameraDesc& camera) {
+  const double size = camera.type == CAMERA_PERSPECTIVE ? glm::distance(camera.eye, camera.target) : camera.height;
+  Bounds bounds;
+  bounds.add(camera.target - 0.5 * size);
+  bounds.add(camera.target + 0.5 * size);
+  return bounds;
+}
+
+double longest_side(const Bounds& bounds) {
+  const dvec3 size = bounds.size();
+  return std::max({size.x, size.y, size.z});
+}
+
+// Half the scene's longest side or up to half of that: 1 for the default bounds of media.
+double unit_choose(const Bounds& bounds) { return std::exp2(std::floor(std::log2(longest_side(bounds))) - 1); }
+
 // The origin to which positions are made relative: a multiple of a power of two near the scene's centre. A scene near zero stays
 // where it is, and a shift by such a multiple leaves every bit of a picture alone.
 dvec3 origin_choose(const Bounds& bounds) {
-  if (bounds.empty()) return dvec3(0);
-  const dvec3 size = bounds.size();
-  const double extent = std::max({size.x, size.y, size.z});
-  if (!(extent > 0)) return dvec3(0);
-  const double unit = std::exp2(std::ceil(std::log2(2 * extent)));
+  const double unit = std::exp2(std::ceil(std::log2(2 * longest_side(bounds))));
   return unit * glm::round(bounds.center() / unit);
 }
 
@@ -46,9 +60,13 @@ FlatScene flatten(const SceneDesc& desc, const FlattenOptions& options) {
   LoadedShapes shapes = load_shapes(desc, scene.notes);
   Bounds bounds = shapes.bounds;
   for (const LoadedMedium& medium : media) medium_bounds_add(medium, bounds);
-  scene.origin = origin_choose(bounds);
+  const Bounds size = bounds.empty() ? view_bounds(desc.camera) : bounds;
+  if (!std::isfinite(longest_side(size)))
+    throw InputError(scene.name + ": what its transforms make of shapes and media is larger than any number");
+  scene.origin = origin_choose(size);
+  scene.unit = unit_choose(size);
 
-  flatten_camera(desc, scene);
+  flatten_camera(desc, bounds, scene);
   flatten_lights(desc, scene);
   flatten_materials(desc, shapes, scene);
   flatten_shapes(shapes, scene);

@@ -114,44 +114,32 @@ double longest_side(const LoadedMedium& m) {
 }
 
 // The rate at which trackers collide, per density: the largest extinction. A medium that only glows has none: eight collisions on
-// the longest way through its densest part then, else its light would never be sampled.
-double track_sigma_of(const LoadedMedium& m, float density_max) {
-  const dvec3 sigma_t = m.desc->sigma_a + m.desc->sigma_s;
-  const double largest = std::max({sigma_t.x, sigma_t.y, sigma_t.z});
-  return largest > 0 || !(density_max > 0) ? largest : 8 / (longest_side(m) * density_max);
-}
-
-float density_max_of(const FlatScene& scene, std::size_t first_brick) {
-  float max = 0;
-  for (std::size_t i = 2 * first_brick + 1; i < scene.brick_ranges.size(); i += 2)
-    max = std::max(max, scene.brick_ranges[i]);
-  return max;
+// the longest way (flat units) through its densest part then, else its light would never be sampled.
+double track_sigma_of(const Medium& m, double longest, float density_max) {
+  const double largest = std::max({m.sigma_a.x + m.sigma_s.x, m.sigma_a.y + m.sigma_s.y, m.sigma_a.z + m.sigma_s.z});
+  return largest > 0 || !(density_max > 0) ? largest : 8 / (longest * density_max);
 }
 
 Medium medium_flatten(const SceneDesc& desc, const LoadedMedium& loaded, FlatScene& scene) {
   const MediumDesc& d = *loaded.desc;
   Medium medium{};
   medium.interpolation = d.interpolation;
-  medium.sigma_a = packed(d.sigma_a);
-  medium.sigma_s = packed(d.sigma_s);
-  medium.emission = packed(d.emission);
   medium.phase = d.phase;
   medium.g = static_cast<float>(d.g);
   medium.method = loaded.method;
   medium.region = loaded.sphere ? REGION_SPHERE : REGION_BOX;
   medium.is_constant = loaded.is_constant;
   medium.constant_density = static_cast<float>(loaded.constant);
-  medium.step = static_cast<float>(desc.render.step * longest_side(loaded));
+  const double longest = longest_side(loaded) / scene.unit;
+  medium.step = static_cast<float>(desc.render.step * longest);
 
-  dmat4 world_from_lattice = loaded.world_from_lattice;
-  world_from_lattice[3] -= glm::dvec4(scene.origin, 0.0);
-  dmat4 cell_from_world = glm::inverse(world_from_lattice);
-  if (loaded.is_constant) {
-    medium.hi = {1, 1, 1};
-  } else {
-    bricks_append(*loaded.grid, medium, scene);
-    medium.track_sigma = static_cast<float>(
-        track_sigma_of(loaded, density_max_of(scene, static_cast<std::size_t>(medium.brick_offset))));
+  dmat4 cell_from_world = glm::inverse(flat_from(scene, loaded.world_from_lattice));
+  const std::size_t first_voxel = scene.voxels.size();
+  medium.hi = {1, 1, 1};
+  if (!loaded.is_constant) bricks_append(*loaded.grid, medium, scene);
+  coefficients_flatten(d, scene.unit * densities_scale(medium, first_voxel, scene), medium);
+  if (!loaded.is_constant) {
+    medium.track_sigma = static_cast<float>(track_sigma_of(medium, longest, density_max(medium, scene)));
     if (d.interpolation == INTERPOLATION_TRILINEAR)
       cell_from_world[3] += glm::dvec4(0.5, 0.5, 0.5, 0.0);  // see bricks_append
   }

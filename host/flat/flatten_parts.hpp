@@ -38,7 +38,7 @@ struct LoadedShapes {
 };
 LoadedShapes load_shapes(const SceneDesc& desc, std::vector<std::string>& notes);
 
-void flatten_camera(const SceneDesc& desc, FlatScene& scene);
+void flatten_camera(const SceneDesc& desc, const Bounds& bounds, FlatScene& scene);  // bounds: of everything finite
 void flatten_lights(const SceneDesc& desc, FlatScene& scene);
 void flatten_materials(const SceneDesc& desc, LoadedShapes& shapes, FlatScene& scene);
 void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene);
@@ -47,8 +47,14 @@ void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media
 // Throws InputError where the steps of marched media ask for more lookups than can be meant.
 void work_check(const SceneDesc& desc, const FlatScene& scene);
 
-// Rounds all voxels and ranges to what `storage` holds and fills `packed` and `storage_error`. Throws InputError where densities
-// exceed it.
+// Largest density of the medium, whose bricks are the last of the scene.
+float density_max(const Medium& medium, const FlatScene& scene);
+// Puts its densities, the voxels from first_voxel on, into units that float and half hold; returns the unit, a power of two.
+double densities_scale(Medium& medium, std::size_t first_voxel, FlatScene& scene);
+// Coefficients times `per`: flat units of length, units of density.
+void coefficients_flatten(const MediumDesc& desc, double per, Medium& medium);
+
+// Rounds all voxels and ranges to what `storage` holds and fills `packed` and `storage_error`.
 void voxels_pack(FlatScene& scene, int storage);
 
 // Appends the bricks of a grid: entries, ranges and samples (layout: shared/medium.h); fills in the medium's geometry.

@@ -18,32 +18,35 @@ void put(Shape& shape, int at, const Values&... values) {
   (one(values), ...);
 }
 
-// Analytic shapes into records, relative to the origin (layout: shared/shape.h).
+// Analytic shapes into records (layout: shared/shape.h).
 struct PackShape {
-  const dvec3& origin;
+  const FlatScene& scene;
   Shape& out;
 
   void operator()(const SphereDesc& s) const {
     out.type = SHAPE_SPHERE;
-    put(out, 0, s.center - origin);
-    out.data[3] = static_cast<float>(s.radius);
+    put(out, 0, scene.point(s.center));
+    out.data[3] = static_cast<float>(s.radius / scene.unit);
   }
   void operator()(const CylinderDesc& c) const {
     const dvec3 axis = glm::normalize(c.top - c.base);
     out.type = SHAPE_CYLINDER;
-    put(out, 0, c.base - origin, axis);
-    out.data[6] = static_cast<float>(glm::length(c.top - c.base));
-    out.data[7] = static_cast<float>(c.radius);
+    put(out, 0, scene.point(c.base), axis);
+    out.data[6] = static_cast<float>(glm::length(c.top - c.base) / scene.unit);
+    out.data[7] = static_cast<float>(c.radius / scene.unit);
     put(out, 8, tangent(axis));
   }
   void operator()(const PlaneDesc& p) const {
     const dvec3 normal = glm::normalize(p.normal);
     out.type = SHAPE_PLANE;
-    put(out, 0, p.point - origin, normal, tangent(normal));
+    put(out, 0, scene.point(p.point), normal, scene.unit * tangent(normal));
   }
   void operator()(const QuadDesc& q) const {
     out.type = SHAPE_QUAD;
-    put(out, 0, q.corner - origin, q.u, q.v);
+    const dvec3 u = q.u / scene.unit, v = q.v / scene.unit, across = glm::cross(u, v);
+    const double area = glm::dot(across, across);
+    put(out, 0, scene.point(q.corner), glm::normalize(across), glm::cross(v, across) / area,
+        glm::cross(across, u) / area);
   }
   void operator()(const BoxDesc& b) const {
     out.type = SHAPE_BOX;
@@ -52,9 +55,7 @@ struct PackShape {
       world_from_unit[i][i] = b.max[i] - b.min[i];
       world_from_unit[3][i] = b.min[i];
     }
-    world_from_unit = transform_matrix(b.transform) * world_from_unit;
-    world_from_unit[3] -= glm::dvec4(origin, 0.0);
-    const Affine a = affine(glm::inverse(world_from_unit));
+    const Affine a = affine(glm::inverse(flat_from(scene, transform_matrix(b.transform) * world_from_unit)));
     std::copy(a.m, a.m + 12, out.data);
   }
   void operator()(const TriangleDesc&) const {}
@@ -108,12 +109,12 @@ bool smooth(const ShapeDesc& shape) {
   return mesh && mesh->shading == MeshShading::PHONG;
 }
 
-Triangle triangle_flatten(const Mesh& mesh, const MeshTriangle& t, bool phong, int material, const dvec3& origin) {
+Triangle triangle_flatten(const Mesh& mesh, const MeshTriangle& t, bool phong, int material, const FlatScene& scene) {
   Triangle out{};
   out.material = material;
   out.shading = phong ? TRIANGLE_PHONG : TRIANGLE_FLAT;
   for (int k = 0; k < 3; ++k) {
-    out.p[k] = packed(mesh.positions[t.position[k]] - origin);
+    out.p[k] = packed(scene.point(mesh.positions[t.position[k]]));
     if (phong) out.n[k] = packed(mesh.normals[t.normal[k]]);
     if (t.uv[k] < 0) continue;
     out.uv[2 * k] = static_cast<float>(mesh.uvs[t.uv[k]].x);
@@ -149,7 +150,7 @@ LoadedShapes load_shapes(const SceneDesc& desc, std::vector<std::string>& notes)
 void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene) {
   for (const ShapeDesc* desc : shapes.analytic) {
     Shape shape{};
-    std::visit(PackShape{scene.origin, shape}, desc->geometry);
+    std::visit(PackShape{scene, shape}, desc->geometry);
     shape.material = desc->material >= 0 ? desc->material : shapes.default_material;
     scene.shapes.push_back(shape);
   }
@@ -158,8 +159,7 @@ void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene) {
     const auto& [desc, mesh] = shapes.meshes[i];
     for (const MeshTriangle& t : mesh.triangles) {
       const int own = t.material >= 0 ? shapes.first_material[i] + t.material : shapes.default_material;
-      const Triangle flat =
-          triangle_flatten(mesh, t, smooth(*desc), desc->material >= 0 ? desc->material : own, scene.origin);
+      const Triangle flat = triangle_flatten(mesh, t, smooth(*desc), desc->material >= 0 ? desc->material : own, scene);
       if (has_area(flat)) {
         scene.triangles.push_back(flat);
       } else {

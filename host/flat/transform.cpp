@@ -6,6 +6,7 @@
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vec4.hpp>
 
 namespace brume {
 
@@ -37,6 +38,12 @@ Affine affine(const dmat4& m) {
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 4; ++column) a.m[4 * row + column] = static_cast<float>(m[column][row]);
   return a;
+}
+
+dmat4 flat_from(const FlatScene& scene, dmat4 m) {
+  m[3] -= glm::dvec4(scene.origin, 0.0);
+  for (int column = 0; column < 4; ++column) m[column] = glm::dvec4(dvec3(m[column]) / scene.unit, m[column].w);
+  return m;
 }
 
 dvec3 tangent(const dvec3& n) {

@@ -3,6 +3,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
+#include "flat/flat_scene.hpp"
 #include "scene/scene_desc.hpp"
 #include "shared/platform.h"
 
@@ -18,6 +19,9 @@ dvec3 transform_dir(const dmat4& m, const dvec3& d);
 
 Packed3 packed(const dvec3& v);
 Affine affine(const dmat4& m);  // the upper three rows
+
+// From X to flat, of a map from X to the world.
+dmat4 flat_from(const FlatScene& scene, dmat4 world_from_x);
 
 // A unit vector perpendicular to the unit vector n: the projection of x, or of z where n is nearly x.
 dvec3 tangent(const dvec3& n);

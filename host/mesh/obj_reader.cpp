@@ -63,8 +63,8 @@ std::vector<glm::dvec3> positions_convert(const Path& file, const std::vector<ti
   for (std::size_t i = 0; i + 2 < flat.size(); i += 3) {
     out.push_back(triple(&flat[i]));
     for (int k = 0; k < 3; ++k)
-      if (!std::isfinite(out.back()[k]) || std::abs(out.back()[k]) > 1e18)
-        fail(file, std::string(what) + " " + std::to_string(i / 3 + 1) + " is not finite or beyond 1e18");
+      if (!std::isfinite(out.back()[k]) || std::abs(out.back()[k]) > 1e38)
+        fail(file, std::string(what) + " " + std::to_string(i / 3 + 1) + " is not finite or beyond 1e38");
   }
   return out;
 }

@@ -62,14 +62,12 @@ double plane_hit(const float* data, const RayD& ray) {
 }
 
 double quad_hit(const float* data, const RayD& ray) {
-  const dvec3 corner = vec_promote(data), u = vec_promote(data + 3), v = vec_promote(data + 6);
-  const dvec3 normal = glm::cross(u, v);
+  const dvec3 corner = vec_promote(data), normal = vec_unit(vec_promote(data + 3));
   const double slope = glm::dot(ray.dir, normal);
   if (slope == 0) return INFINITE;
   const double t = glm::dot(corner - ray.origin, normal) / slope;
   const dvec3 p = ray.at(t) - corner;
-  const double area = glm::dot(normal, normal);
-  const double s = glm::dot(glm::cross(p, v), normal) / area, r = glm::dot(glm::cross(u, p), normal) / area;
+  const double s = glm::dot(p, vec_promote(data + 6)), r = glm::dot(p, vec_promote(data + 9));
   const bool inside = s >= 0 && s <= 1 && r >= 0 && r <= 1;
   return inside ? smaller_positive(t, INFINITE) : INFINITE;
 }

@@ -1,16 +1,18 @@
 // Point, spot and directional lights, as kernels/shared/light.h defines them.
 #include "reference/light.hpp"
 
+#include <cmath>
+
 namespace brume::reference {
 namespace {
 
 // Share of a spot's intensity: 0 outside, 1 inside, x²(3-2x) in the cosine between.
 double spot_share(const Light& light, const dvec3& travel) {
-  const double cosine = glm::dot(travel, vec_unit(vec_promote(light.direction)));
-  const double outer = light.cos_outer, inner = light.cos_inner;
-  if (cosine <= outer) return 0;
-  if (cosine >= inner) return 1;
-  const double x = (cosine - outer) / (inner - outer);
+  const double beside = 1 - glm::dot(travel, vec_unit(vec_promote(light.direction)));
+  const double outer = light.outer, inner = light.inner;
+  if (beside >= outer) return 0;
+  if (beside <= inner) return 1;
+  const double x = (outer - beside) / (outer - inner);
   return x * x * (3 - 2 * x);
 }
 
@@ -20,13 +22,14 @@ LightSample light_at(const Light& light, const dvec3& point) {
   const dvec3 intensity = vec_promote(light.intensity);
   if (light.type == LIGHT_DIRECTIONAL) return {vec_unit(vec_promote(light.direction)), intensity, INFINITE};
 
-  const dvec3 from_light = point - vec_promote(light.position);
+  // in the light's own length
+  const dvec3 from_light = point * std::exp2(-light.exponent) - vec_promote(light.position);
   const double distance = glm::length(from_light);
   if (distance == 0) return {};
   const dvec3 travel = from_light / distance;
   const double share = light.type == LIGHT_SPOT ? spot_share(light, travel) : 1;
   const double falloff = light.falloff == FALLOFF_INVERSE_SQUARE ? 1 / (distance * distance) : 1;
-  return {travel, intensity * (share * falloff), distance};
+  return {travel, intensity * (share * falloff), distance * std::exp2(light.exponent)};
 }
 
 }  // namespace brume::reference

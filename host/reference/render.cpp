@@ -78,6 +78,7 @@ FilmPixel film_pixel(const PixelD& p) {
   pixel.key = p.key;
   pixel.dropped_rays = static_cast<float>(p.dropped_rays);
   pixel.dropped_weight = static_cast<float>(p.dropped_weight);
+  pixel.invalid = static_cast<float>(p.invalid);
   return pixel;
 }
 
@@ -168,6 +169,24 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
   return sample;
 }
 
+// Planes have no bounds: a camera ray that begins behind some begins anew before the first of them.
+FrameRayD start_before_planes(const FlatScene& scene, const FrameRayD& from) {
+  double back = 0;
+  for (const Shape& shape : scene.shapes) {
+    if (shape.type != SHAPE_PLANE) continue;
+    const dvec3 normal = vec_unit(vec_promote(shape.data + 3));
+    const double t = glm::dot(from.ray.origin - vec_promote(shape.data), normal) / glm::dot(from.ray.dir, normal);
+    if (t >= 0 && t < from.start) back = std::max(back, std::min(from.start, t + std::max(1.0, t) / 32));
+  }
+  return {{from.ray.at(-back), from.ray.dir}, from.start - back};
+}
+
+// What float could not hold, and what no sum over samples should meet.
+bool is_valid(const PixelD& sample) {
+  const dvec3& r = sample.radiance;
+  return std::abs(r.x) <= SAMPLE_MAX && std::abs(r.y) <= SAMPLE_MAX && std::abs(r.z) <= SAMPLE_MAX;
+}
+
 }  // namespace
 
 PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& random) {
@@ -183,8 +202,14 @@ PixelD pixel_render(const Context& context, int x, int y) {
     const double xi0 = rng_uniform(pixel, static_cast<uint>(sample), 0, frame.seed);
     const double xi1 = rng_uniform(pixel, static_cast<uint>(sample), 1, frame.seed);
     const dvec2 position = pixel_position(sample, frame.camera.spp, xi0, xi1);
-    pixel_add(sum, ray_render(context, camera_ray(frame.camera, x, y, position),
-                              {pixel, static_cast<uint>(sample), frame.seed}));
+    const FrameRayD camera = start_before_planes(context.scene, frame_ray(frame, x, y, position));
+    PixelD one = ray_render(context, camera.ray, {pixel, static_cast<uint>(sample), frame.seed});
+    one.depth = (one.depth + one.hits * camera.start) * context.scene.unit;
+    if (is_valid(one)) {
+      pixel_add(sum, one);
+    } else {
+      ++sum.invalid;
+    }
   }
   return sum;
 }

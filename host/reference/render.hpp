@@ -10,14 +10,14 @@ namespace brume::reference {
 // The sums of FilmPixel before they become float.
 struct PixelD {
   dvec3 radiance{0}, normal{0}, transmittance{0};
-  double samples = 0, depth = 0, hits = 0, lookups = 0, dropped_rays = 0, dropped_weight = 0;
+  double samples = 0, depth = 0, hits = 0, lookups = 0, dropped_rays = 0, dropped_weight = 0, invalid = 0;
   uint key = 0;
 };
 
 // One sample of one ray; `samples` is 1.
 PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& random = {});
 
-// All samples of pixel (x, y), y = 0 at the top.
+// All samples of pixel (x, y), y = 0 at the top; depth from the camera, in world units.
 PixelD pixel_render(const Context& context, int x, int y);
 
 // Renders the crop of scene.frame and overwrites those pixels; FilmPixel::shadow_rays, a statistic of devices, stays 0.

@@ -1,6 +1,7 @@
 // Random numbers, strata and camera rays: see the header and ARCHITECTURE.md.
 #include "reference/sampling.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -42,11 +43,30 @@ dvec2 pixel_position(int sample, int spp, double xi0, double xi1) {
 RayD camera_ray(const Camera& camera, int x, int y, const dvec2& position) {
   const double film_x = 2 * (x + position.x) / camera.width - 1;
   const double film_y = 1 - 2 * (y + position.y) / camera.height;
-  const dvec3 eye = vec_promote(camera.eye);
+  const dvec3 axis = vec_promote(camera.axis);
   const dvec3 forward = vec_unit(vec_promote(camera.forward));
   const dvec3 offset = film_x * vec_promote(camera.right) + film_y * vec_promote(camera.up);
-  if (camera.type == CAMERA_ORTHOGRAPHIC) return {eye + offset, forward};
-  return {eye, vec_unit(forward + offset)};
+  if (camera.type == CAMERA_ORTHOGRAPHIC) return {axis + offset, forward};
+  return {axis + static_cast<double>(camera.back) * offset, vec_unit(forward + offset)};
+}
+
+FrameRayD frame_ray(const Frame& frame, int x, int y, const dvec2& position) {
+  const RayD ray = camera_ray(frame.camera, x, y, position);
+  const dvec3 forward = vec_unit(vec_promote(frame.camera.forward));
+  const double behind = frame.camera.back / glm::dot(ray.dir, forward);  // the camera lies at t = -behind
+  const dvec3 lo = vec_promote(frame.bounds_lo), hi = vec_promote(frame.bounds_hi);
+  double enters = -behind, leaves = INFINITE;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (ray.dir[axis] == 0) {
+      if (ray.origin[axis] < lo[axis] || ray.origin[axis] > hi[axis]) leaves = -INFINITE;
+      continue;
+    }
+    const double a = (lo[axis] - ray.origin[axis]) / ray.dir[axis], b = (hi[axis] - ray.origin[axis]) / ray.dir[axis];
+    enters = std::max(enters, std::min(a, b));
+    leaves = std::min(leaves, std::max(a, b));
+  }
+  const double t = lo.x < hi.x && enters <= leaves ? enters : 0;
+  return {{ray.at(t), ray.dir}, behind + t};
 }
 
 }  // namespace brume::reference

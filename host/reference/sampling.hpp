@@ -2,7 +2,7 @@
 // Knows nothing of what the ray meets.
 #pragma once
 #include "reference/vec.hpp"
-#include "shared/camera.h"
+#include "shared/frame.h"
 
 namespace brume::reference {
 
@@ -13,7 +13,14 @@ double rng_uniform(uint pixel, uint sample, uint dimension, uint seed);
 // spp is 1.
 dvec2 pixel_position(int sample, int spp, double xi0, double xi1);
 
-// The ray of one sample of pixel (x, y), y = 0 at the top.
+// The ray of one sample of pixel (x, y), y = 0 at the top, through its point beside the camera's `axis`.
 RayD camera_ray(const Camera& camera, int x, int y, const dvec2& position);
+
+// The same from where it enters the bounds of the frame on; `start`: the distance of its origin from the camera.
+struct FrameRayD {
+  RayD ray;
+  double start;
+};
+FrameRayD frame_ray(const Frame& frame, int x, int y, const dvec2& position);
 
 }  // namespace brume::reference

@@ -39,17 +39,15 @@ Geometry cylinder_geometry(const float* data, const dvec3& point) {
 }
 
 Geometry plane_geometry(const float* data, const dvec3& point) {
-  const dvec3 normal = vec_unit(vec_promote(data + 3)), u_axis = vec_unit(vec_promote(data + 6));
+  const dvec3 normal = vec_unit(vec_promote(data + 3)), u_axis = vec_promote(data + 6);
   const dvec3 p = point - vec_promote(data);
   return flat_geometry(normal, {glm::dot(p, u_axis), glm::dot(p, glm::cross(normal, u_axis))});
 }
 
 Geometry quad_geometry(const float* data, const dvec3& point) {
-  const dvec3 p = point - vec_promote(data), u = vec_promote(data + 3), v = vec_promote(data + 6);
-  const dvec3 normal = glm::cross(u, v);
-  const double area = glm::dot(normal, normal);
-  return flat_geometry(vec_unit(normal),
-                       {glm::dot(glm::cross(p, v), normal) / area, glm::dot(glm::cross(u, p), normal) / area});
+  const dvec3 p = point - vec_promote(data);
+  return flat_geometry(vec_unit(vec_promote(data + 3)),
+                       {glm::dot(p, vec_promote(data + 6)), glm::dot(p, vec_promote(data + 9))});
 }
 
 Geometry box_geometry(const float* data, const dvec3& point) {

@@ -17,16 +17,19 @@ namespace {
 // Rays in flight at most: on a CPU no more than its caches hold, on a GPU enough to fill it. The first batch shows how long they take.
 constexpr int BATCH_CPU = 1 << 14, BATCH_GPU = 1 << 19, FIRST_CPU = 1 << 8, FIRST_GPU = 1 << 15;
 
-// Adds up what the rendered crop of the film counted.
-void count_work(const Film& film, const Frame& frame, RenderStats& stats) {
+// Adds up what the rendered crop of the film counted; depths into world units.
+void film_finish(Film& film, const Frame& frame, double unit, RenderStats& stats) {
   for (auto y = static_cast<std::size_t>(frame.crop_y0); y < static_cast<std::size_t>(frame.crop_y1); ++y)
     for (auto x = static_cast<std::size_t>(frame.crop_x0); x < static_cast<std::size_t>(frame.crop_x1); ++x) {
-      const FilmPixel& p = film.pixels()[y * static_cast<std::size_t>(film.size().x) + x];
+      FilmPixel& p = film.pixels()[y * static_cast<std::size_t>(film.size().x) + x];
       stats.lookups += p.lookups;
       stats.shadow_rays += p.shadow_rays;
       stats.secondary_rays += p.secondary_rays;
       stats.dropped_rays += p.dropped_rays;
       stats.dropped_weight += p.dropped_weight;
+      p.depth = static_cast<float>(p.depth * unit);
+      if (p.invalid > 0 && stats.invalid_samples == 0) stats.first_invalid = {static_cast<int>(x), static_cast<int>(y)};
+      stats.invalid_samples += p.invalid;
     }
 }
 
@@ -37,6 +40,7 @@ int bvh_width_for(int lanes) { return std::max(lanes, 4); }
 
 struct Renderer::State {
   Frame frame;
+  double unit;
   std::size_t crop_pixels, batch_rays, first_rays;
   std::unique_ptr<Passes> passes;
   RenderStats stats;
@@ -57,6 +61,7 @@ Renderer::Renderer(Context& context, const FlatScene& scene, const RenderOptions
   const ForeignLines lines("the OpenCL driver");
   State& s = *state_;
   s.frame = scene.frame;
+  s.unit = scene.unit;
   s.crop_pixels = static_cast<std::size_t>(s.frame.crop_x1 - s.frame.crop_x0) * (s.frame.crop_y1 - s.frame.crop_y0);
   const std::size_t wanted =
       options.batch_rays > 0 ? options.batch_rays : (context.device().cpu ? BATCH_CPU : BATCH_GPU);
@@ -110,6 +115,6 @@ bool Renderer::render(Film& film, const Progress& progress) {
   return s.stats.primary_rays == s.total_rays();
 }
 
-void Renderer::finish(Film& film) { count_work(film, state_->frame, state_->stats); }
+void Renderer::finish(Film& film) { film_finish(film, state_->frame, state_->unit, state_->stats); }
 
 }  // namespace brume

@@ -12,6 +12,9 @@ std::vector<MediumDesc> read_media(const JsonValue& scene, const std::filesystem
 std::vector<LightDesc> read_lights(const JsonValue& scene);
 TransformDesc read_transform(const JsonValue& owner);
 
+// Of what is seen as it is; more of it than this could not be summed over the samples of a pixel (SAMPLE_MAX).
+inline constexpr double RADIANCE_MAX = 3e32;
+
 // A path of the file, resolved against the folder of the scene.
 std::filesystem::path read_path(const JsonValue& value, const std::filesystem::path& folder);
 

@@ -20,6 +20,7 @@ constexpr int LIGHT_GRID_MAX = 1024;
 constexpr std::size_t FILE_BYTES_MAX = 64u << 20;
 constexpr int FILM_SIDE_MAX = 65536;
 constexpr double STEPS_MAX = 1e5;  // along the medium's longest side
+constexpr double INTENSITY_MAX = 1e100;  // W/sr of a light inverse to the square of a distance that may itself be 1e38
 
 // By pieces, so that pipes work and an endless file does no harm.
 std::string file_text(const std::filesystem::path& file) {
@@ -112,7 +113,7 @@ LightDesc read_light(const JsonValue& light) {
     l.intensity = light.color("irradiance", l.intensity, Range::at_least_0());
   } else {
     l.position = light.get("position").as_vec3(Range::any());
-    l.intensity = light.color("intensity", l.intensity, Range::at_least_0());
+    l.intensity = light.color("intensity", l.intensity, Range::closed(0, INTENSITY_MAX));
     l.falloff = light.member("falloff", l.falloff, falloff_family(), "falloff");
   }
   if (l.type != LIGHT_POINT) {
@@ -158,7 +159,7 @@ SceneDesc scene_read_text(std::string_view text, const std::filesystem::path& as
   desc.file = as_file;
   desc.camera = read_camera(scene);
   desc.film = read_film(scene);
-  desc.background = scene.color("background", desc.background, Range::at_least_0());
+  desc.background = scene.color("background", desc.background, Range::closed(0, RADIANCE_MAX));
   desc.ambient = scene.color("ambient", desc.ambient, Range::at_least_0());
   desc.lights = read_lights(scene);
   desc.materials = read_materials(scene, folder);

@@ -2,6 +2,7 @@
 #ifndef BRUME_LIB_CAMERA_CL
 #define BRUME_LIB_CAMERA_CL
 #include "lib/rng.cl"
+#include "lib/slab.cl"
 #include "lib/vec.cl"
 #include "shared/frame.h"
 #include "shared/ray.h"
@@ -18,6 +19,13 @@ static inline float2 pixel_position(uint sample, uint spp, float xi_x, float xi_
   return (float2)(((float)first + xi_x * rows) / (float)spp, ((float)(sample - first) + xi_y) / rows);
 }
 
+// t from which the ray is inside the frame's bounds, at least `first`; 0 where it misses them.
+static inline float bounds_entry(__constant const Frame* frame, float3 point, float3 dir, float first) {
+  float t0 = first, t1 = INFINITY;
+  if (!(frame->bounds_lo.x < frame->bounds_hi.x)) return 0.0f;
+  return box_cut(vec_unpack(frame->bounds_lo), vec_unpack(frame->bounds_hi), point, dir, &t0, &t1) ? t0 : 0.0f;
+}
+
 static inline Ray camera_ray(__constant const Frame* frame, uint pixel, uint sample) {
   __constant const Camera* camera = &frame->camera;
   const float xi_x = rng_uniform(pixel, sample, 0, frame->seed);
@@ -29,13 +37,17 @@ static inline Ray camera_ray(__constant const Frame* frame, uint pixel, uint sam
   const float y = 1.0f - 2.0f * ((float)row + in_pixel.y) / (float)camera->height;
   const float3 offset = x * vec_unpack(camera->right) + y * vec_unpack(camera->up);
   const int perspective = camera->type == CAMERA_PERSPECTIVE;
-  float3 dir = vec_unpack(camera->forward);
-  if (perspective) dir = normalize(dir + offset);
+  const float3 through = vec_unpack(camera->forward) + (perspective ? offset : (float3)(0.0f));
+  const float3 dir = (perspective ? normalize(through) : through) + 0.0f;  // + 0 turns -0.0 into 0.0
+  const float3 point = vec_unpack(camera->axis) + (perspective ? camera->back * offset : offset);
+  const float behind = camera->back * (perspective ? length(through) : 1.0f);
+  const float t = bounds_entry(frame, point, dir, -behind);
   Ray ray;
-  ray.origin = vec_pack(vec_unpack(camera->eye) + (perspective ? (float3)(0.0f) : offset));
+  ray.origin = vec_pack(vec_point(point, dir, t));
   ray.pixel = pixel;
-  ray.dir = vec_pack(dir + 0.0f);  // + 0 turns -0.0 into 0.0
+  ray.dir = vec_pack(dir);
   ray.sample = sample;
+  ray.start = behind + t;
   return ray;
 }
 

@@ -28,9 +28,9 @@ typedef struct {
 
 static inline float axis_crossing(const DdaAxis* a, float plane) { return (plane - a->origin) * a->inv_dir; }
 
-// At s along the ray.
-static inline DdaAxis axis_begin(float origin, float dir, float s, int bricks) {
-  const int moves = fabs(dir) > 1e-30f;
+// At s along a ray of this length. An axis along which it moves by no part of a cell that matters stands still.
+static inline DdaAxis axis_begin(float origin, float dir, float s, float length, int bricks) {
+  const int moves = fabs(dir) * length > 1e-30f;
   DdaAxis a;
   a.origin = moves ? origin : -1.0f;  // planes are >= 0: the product below is +inf, never 0 * inf
   a.inv_dir = moves ? 1.0f / dir : INFINITY;
@@ -63,9 +63,9 @@ static inline void axis_step_brick(DdaAxis* a, float exit) {
 
 static inline Dda dda_begin(const Medium* medium, const MediumRay* ray, float s) {
   Dda d;
-  d.x = axis_begin(ray->origin.x, ray->dir.x, s, medium->brick_nx);
-  d.y = axis_begin(ray->origin.y, ray->dir.y, s, medium->brick_ny);
-  d.z = axis_begin(ray->origin.z, ray->dir.z, s, medium->brick_nz);
+  d.x = axis_begin(ray->origin.x, ray->dir.x, s, ray->length, medium->brick_nx);
+  d.y = axis_begin(ray->origin.y, ray->dir.y, s, ray->length, medium->brick_ny);
+  d.z = axis_begin(ray->origin.z, ray->dir.z, s, ray->length, medium->brick_nz);
   d.s = s;
   d.end = ray->length;
   d.brick_end = 0.0f;

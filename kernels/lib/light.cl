@@ -9,10 +9,13 @@ typedef struct {
   float distance;     // to the light; INFINITY for directional
 } LightSample;
 
-static inline float spot_cone(const Light* light, float cos_angle) {
-  if (cos_angle <= light->cos_outer) return 0.0f;
-  if (cos_angle >= light->cos_inner) return 1.0f;
-  const float x = (cos_angle - light->cos_outer) / (light->cos_inner - light->cos_outer);
+// 1 - cos of the angle between unit vectors is half the square of their difference.
+static inline float spot_cone(const Light* light, float3 travel) {
+  const float3 off = travel - vec_unpack(light->direction);
+  const float beside = 0.5f * dot(off, off);
+  if (beside >= light->outer) return 0.0f;
+  if (beside <= light->inner) return 1.0f;
+  const float x = (light->outer - beside) / (light->outer - light->inner);
   return x * x * (3.0f - 2.0f * x);
 }
 
@@ -23,16 +26,17 @@ static inline LightSample light_sample(__global const Light* lights, int index, 
   s.travel = vec_unpack(light.direction);
   s.distance = INFINITY;
   if ((USES_LIGHT(POINT) || USES_LIGHT(SPOT)) && light.type != LIGHT_DIRECTIONAL) {
-    const float3 to_point = point - vec_unpack(light.position);
-    s.distance = length(to_point);
-    if (!(s.distance > 0.0f)) {  // at the light itself there is no direction, and nothing arrives
+    const int far = light.exponent != 0;  // few are: a branch costs less than two ldexp
+    const float3 to_point = (far ? point * ldexp(1.0f, -light.exponent) : point) - vec_unpack(light.position);
+    const float distance = length(to_point);
+    s.distance = far ? ldexp(distance, light.exponent) : distance;
+    if (!(distance > 0.0f)) {  // at the light itself there is no direction, and nothing arrives
       s.irradiance = (float3)(0.0f);
       return s;
     }
-    s.travel = to_point / s.distance;
-    if (light.falloff == FALLOFF_INVERSE_SQUARE) s.irradiance /= s.distance * s.distance;
-    if (USES_LIGHT(SPOT) && light.type == LIGHT_SPOT)
-      s.irradiance *= spot_cone(&light, dot(s.travel, vec_unpack(light.direction)));
+    s.travel = to_point / distance;
+    if (light.falloff == FALLOFF_INVERSE_SQUARE) s.irradiance = s.irradiance / distance / distance;
+    if (USES_LIGHT(SPOT) && light.type == LIGHT_SPOT) s.irradiance *= spot_cone(&light, s.travel);
   }
   return s;
 }

@@ -3,10 +3,10 @@
 #define BRUME_LIB_SLAB_CL
 #include "lib/vec.cl"
 
-// One axis of [lo, hi]. A zero direction component is an inside test, so that 0 * inf never arises.
+// One axis of [lo, hi]. A direction component of zero or nearly so is an inside test, so that 0 * inf never arises.
 static inline int slab_cut(float lo, float hi, float o, float d, float* t0, float* t1) {
-  if (d == 0.0f) return o >= lo && o <= hi;
   const float inv_d = 1.0f / d;
+  if (!(fabs(inv_d) < INFINITY)) return o >= lo && o <= hi;
   const float a = (lo - o) * inv_d, b = (hi - o) * inv_d;
   *t0 = fmax(*t0, fmin(a, b));
   *t1 = fmin(*t1, fmax(a, b));

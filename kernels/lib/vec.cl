@@ -18,6 +18,9 @@ static inline Packed3 vec_pack(float3 v) {
 static inline float vec_max_abs(float3 v) { return fmax(fmax(fabs(v.x), fabs(v.y)), fabs(v.z)); }
 static inline float vec_max(float3 v) { return fmax(fmax(v.x, v.y), v.z); }
 static inline float vec_min(float3 v) { return fmin(fmin(v.x, v.y), v.z); }
+// v with a largest component of 1, of a v so short or long that float does not hold its square.
+static inline float3 vec_scaled(float3 v) { return v / fmax(vec_max_abs(v), FLT_MIN); }
+static inline float3 vec_unit(float3 v) { return normalize(vec_scaled(v)); }
 static inline float3 vec_point(float3 origin, float3 dir, float t) {
   return (float3)(mad_exact(t, dir.x, origin.x), mad_exact(t, dir.y, origin.y), mad_exact(t, dir.z, origin.z));
 }

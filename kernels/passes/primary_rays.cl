@@ -10,7 +10,8 @@ __kernel void primary_rays(SCENE_ARGS, uint first_pixel, uint first_sample, uint
   const uint index = first_pixel + item / samples;
   const uint crop_width = (uint)(frame->crop_x1 - frame->crop_x0);
   const uint x = (uint)frame->crop_x0 + index % crop_width, y = (uint)frame->crop_y0 + index / crop_width;
-  const Ray ray = camera_ray(frame, y * (uint)frame->camera.width + x, first_sample + item % samples);
+  Ray ray = camera_ray(frame, y * (uint)frame->camera.width + x, first_sample + item % samples);
+  ray_start_before_planes(&scene, &ray);
   rays[item] = ray;
   hits[item] = scene_hit(&scene, vec_unpack(ray.origin), vec_unpack(ray.dir), INFINITY, 0);
 }

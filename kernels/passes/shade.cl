@@ -10,6 +10,7 @@ __kernel void shade(SCENE_ARGS, uint count, __global const Ray* rays, __global c
   const MediumResult medium = results[item];
   float3 behind = vec_unpack(frame->background);
   float3 normal = (float3)(0.0f);
+  float depth = 0.0f;
   uint lit = 0, second = 0, walked = medium.shadow_key;
 #if BRUME_TRACKING
   walked += medium.lookups;  // as in media_scatter: those of the shadow rays from the hit too
@@ -25,6 +26,7 @@ __kernel void shade(SCENE_ARGS, uint count, __global const Ray* rays, __global c
     }
     behind = shading.radiance;
     normal = shading.surface.normal;
+    depth = ray.start + hit.t;
     lit = shading.lit;
     second = shading.second;
   }
@@ -33,6 +35,6 @@ __kernel void shade(SCENE_ARGS, uint count, __global const Ray* rays, __global c
   sample.radiance = vec_pack(vec_unpack(medium.radiance) + vec_unpack(medium.transmittance) * behind);
   sample.key = shading_key(hits[item].primitive, lit, walked, second);
   sample.normal = vec_pack(normal);
-  sample.pad = 0.0f;
+  sample.depth = depth;
   samples[item] = sample;
 }

@@ -70,6 +70,7 @@ PROBE(probe_surface) {
   ray.dir = vec_pack(probe_load3(v + 3));
   ray.pixel = 0;
   ray.sample = 0;
+  ray.start = 0.0f;
   Hit hit;
   hit.t = v[6];
   hit.primitive = as_int(v[7]);

@@ -14,7 +14,7 @@ static inline float texel_pair(float x, int n, int* i0, int* i1) {
   const float low = floor(wrapped);
   const int i = (int)low;
   *i0 = i < 0 ? n - 1 : min(i, n - 1);
-  *i1 = i + 1 >= n ? 0 : i + 1;
+  *i1 = *i0 + 1 >= n ? 0 : *i0 + 1;
   return wrapped - low;
 }
 

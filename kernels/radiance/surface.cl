@@ -13,7 +13,7 @@ typedef struct {
 
 static inline float3 triangle_normals(const Triangle* t, const Hit* hit, float3* geometric) {
   const float3 p0 = vec_unpack(t->p[0]);
-  *geometric = normalize(cross(vec_unpack(t->p[1]) - p0, vec_unpack(t->p[2]) - p0));
+  *geometric = vec_unit(cross(vec_scaled(vec_unpack(t->p[1]) - p0), vec_scaled(vec_unpack(t->p[2]) - p0)));
   if (t->shading == TRIANGLE_FLAT) return *geometric;
   return normalize((1.0f - hit->u - hit->v) * vec_unpack(t->n[0]) + hit->u * vec_unpack(t->n[1]) +
                    hit->v * vec_unpack(t->n[2]));
@@ -38,9 +38,8 @@ static inline float3 shape_normal(const Shape* shape, float3 point, float2* uv) 
     return n;
   }
   if (USES_SHAPE(QUAD) && type == SHAPE_QUAD) {
-    const float3 u = shape_vec(shape, 3), v = shape_vec(shape, 6);
-    *uv = quad_coordinates(u, v, point - shape_vec(shape, 0));
-    return normalize(cross(u, v));
+    *uv = quad_coordinates(shape_vec(shape, 6), shape_vec(shape, 9), point - shape_vec(shape, 0));
+    return shape_vec(shape, 3);
   }
   if (USES_SHAPE(BOX) && type == SHAPE_BOX) {
     const Affine a = shape_affine(shape);

@@ -10,17 +10,15 @@ static inline float plane_hit(float3 point, float3 normal, float3 origin, float3
   return t > 0.0f ? t : INFINITY;
 }
 
-// Coordinates (s, t) of p in corner + s u + t v, for p in the plane of u and v.
-static inline float2 quad_coordinates(float3 u, float3 v, float3 from_corner) {
-  const float3 n = cross(u, v);
-  const float scale = 1.0f / dot(n, n);
-  return (float2)(dot(cross(from_corner, v), n) * scale, dot(cross(u, from_corner), n) * scale);
+// Coordinates (s, t) within the parallelogram, along the axes of shared/shape.h.
+static inline float2 quad_coordinates(float3 s_axis, float3 t_axis, float3 from_corner) {
+  return (float2)(dot(from_corner, s_axis), dot(from_corner, t_axis));
 }
 
-static inline float quad_hit(float3 corner, float3 u, float3 v, float3 origin, float3 dir) {
-  const float t = plane_hit(corner, cross(u, v), origin, dir);
+static inline float quad_hit(float3 corner, float3 normal, float3 s_axis, float3 t_axis, float3 origin, float3 dir) {
+  const float t = plane_hit(corner, normal, origin, dir);
   if (!(t < INFINITY)) return INFINITY;
-  const float2 st = quad_coordinates(u, v, vec_point(origin, dir, t) - corner);
+  const float2 st = quad_coordinates(s_axis, t_axis, vec_point(origin, dir, t) - corner);
   return st.x >= 0.0f && st.x <= 1.0f && st.y >= 0.0f && st.y <= 1.0f ? t : INFINITY;
 }
 

@@ -48,7 +48,8 @@ static inline TriangleHits triangle_hits(const ShearedRay* r, __global const flo
   TriangleHits hits;
   hits.u = e1 * inv_det;
   hits.v = e2 * inv_det;
-  const floatW t = (e0 * az + e1 * bz + e2 * cz) * r->sz * inv_det;
+  // shares before lengths: three lengths of a small triangle in a large scene multiply to nothing
+  const floatW t = (e0 * inv_det * az + hits.u * bz + hits.v * cz) * r->sz;
   const intW inside = (((e0 >= 0.0f) & (e1 >= 0.0f) & (e2 >= 0.0f)) | ((e0 <= 0.0f) & (e1 <= 0.0f) & (e2 <= 0.0f))) &
                       (det != 0.0f) & (t > 0.0f) & (t <= t_max);
   hits.t = lanes_select((floatW)(INFINITY), t, inside);

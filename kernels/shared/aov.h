@@ -18,6 +18,9 @@ enum Aov {
       AOV_COUNT
 };
 
+// Radiance beyond which a sample is left out: 2^20 samples of it, the most that a pixel can have, still make a finite sum.
+#define SAMPLE_MAX 3e32f
+
 // Sums over a pixel's samples; the host divides by the counts. `key` sums a hash of what each sample hit and which lights
 // reached it (wrapping): equal keys mean that two renderers saw the same surfaces and shadows.
 typedef struct {
@@ -33,7 +36,9 @@ typedef struct {
   float secondary_rays;
   float dropped_rays;  // as in MediumResult
   float dropped_weight;
+  float
+      invalid;  // samples left out of all sums above but the counts of rays: their radiance was no number or above SAMPLE_MAX
 } FilmPixel;
-BRUME_LAYOUT(FilmPixel, 72);
+BRUME_LAYOUT(FilmPixel, 76);
 BRUME_SHARED_END
 #endif

@@ -15,11 +15,12 @@ enum CameraType {
       CAMERA_COUNT
 };
 
-// perspective:  origin = eye,                    dir = normalize(forward + x right + y up)
-// orthographic: origin = eye + x right + y up,   dir = forward
-// forward is unit; right and up carry the extent of the view.
+// perspective:  point = axis + back (x right + y up),   dir = normalize(forward + x right + y up), the eye at -back along forward
+// orthographic: point = axis + x right + y up,          dir = forward, the eye's plane at -back
+// forward is unit; right and up carry the extent of the view. `axis` lies on the line of sight: in the eye itself (back = 0), but
+// for cameras far from the scene beside the scene, so that float is spent on what is seen and not on the way to it.
 typedef struct {
-  Packed3 eye;
+  Packed3 axis;
   int type;
   Packed3 forward;
   int width;  // film size in pixels
@@ -27,7 +28,8 @@ typedef struct {
   int height;
   Packed3 up;
   int spp;
+  float back;  // from the eye to `axis`
 } Camera;
-BRUME_LAYOUT(Camera, 64);
+BRUME_LAYOUT(Camera, 68);
 BRUME_SHARED_END
 #endif

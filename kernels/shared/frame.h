@@ -20,7 +20,9 @@ typedef struct {
   float roulette;  // view rays below this transmittance are ended at random, the rest weighs more; 0: never
   int takes_ends;  // dense segments take the light from both ends: no medium is tracked
   int crop_x0, crop_y0, crop_x1, crop_y1;  // pixels rendered: [x0,x1) x [y0,y1)
+  Packed3 bounds_lo,
+      bounds_hi;  // a box about everything finite, where camera rays start; lo = hi: there is nothing finite
 } Frame;
-BRUME_LAYOUT(Frame, 144);
+BRUME_LAYOUT(Frame, 172);
 BRUME_SHARED_END
 #endif

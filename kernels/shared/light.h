@@ -27,15 +27,19 @@ enum Falloff {
       FALLOFF_COUNT
 };
 
+// A light far from the scene has a length of its own, 2^exponent flat units, in which its position and intensity are given:
+// neither its distance nor the square of it leaves float.
 typedef struct {
   Packed3 position;
   int type;
   Packed3 direction;  // unit; the direction the light travels
   int falloff;
   Packed3 intensity;  // W/sr; W/m² for directional
-  float cos_outer;    // spot: no light where cos(angle to direction) <= cos_outer
-  float cos_inner;    // spot: full light from here on; smoothstep x²(3-2x) in the cosine between the two
-  float pad[3];
+  // Of 1 - cos(angle to direction), in which float tells the narrowest cones apart:
+  float outer;  // spot: no light from here on
+  float inner;  // spot: full light up to here; smoothstep x²(3-2x) in the cosine between the two
+  int exponent;
+  float pad[2];
 } Light;
 BRUME_LAYOUT(Light, 64);
 BRUME_SHARED_END

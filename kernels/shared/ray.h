@@ -13,10 +13,11 @@ typedef struct {
   uint pixel;   // y * width + x, y = 0 at the top
   Packed3 dir;  // unit, world space
   uint sample;
+  float start;  // of a camera ray: distance from the camera to its origin
 } Ray;
-BRUME_LAYOUT(Ray, 32);
+BRUME_LAYOUT(Ray, 36);
 
-// t: world distance to the surface, INFINITY for a miss. u, v: barycentric coordinates of a triangle (else 0).
+// t: distance to the surface, INFINITY for a miss. u, v: barycentric coordinates of a triangle (else 0).
 typedef struct {
   float t;
   int primitive;  // shape index, FIRST_TRIANGLE + triangle index, or PRIMITIVE_NONE
@@ -50,7 +51,7 @@ typedef struct {
   Packed3 radiance;
   uint key;        // see ARCHITECTURE, Keys
   Packed3 normal;  // shading normal, 0 for a miss
-  float pad;
+  float depth;     // from the camera to the surface, 0 for a miss
 } Sample;
 BRUME_LAYOUT(Sample, 32);
 BRUME_SHARED_END

@@ -47,12 +47,13 @@ struct Rays {
   std::vector<float> packed;  // medium, origin, direction, t_max
 };
 
-Rays rays_make(const Lattice& lattice) {
+Rays rays_make(const Lattice& lattice, double unit) {
+  const dvec3 side = lattice.side / unit;
   Rays out;
   CheckRandom random;
   for (int i = 0; i < RAYS; ++i) {
-    const dvec3 from = glm::round(random.in_box(0.5) * lattice.cells * 1024.0) / 1024.0 * lattice.side;
-    const dvec3 to = random.in_box(0.5) * lattice.cells * lattice.side;
+    const dvec3 from = glm::round(random.in_box(0.5) * lattice.cells * 1024.0) / 1024.0 * side;
+    const dvec3 to = random.in_box(0.5) * lattice.cells * side;
     const dvec3 dir(glm::vec3(glm::normalize(to - from)));
     out.rays.push_back({from, dir});
     out.packed.push_back(bits_as_float(0));
@@ -67,7 +68,7 @@ void expect_exact(const Lattice& lattice, const char* method, const char* interp
   static Context context(device_choose("portable computing language"));
   const FlatScene scene = scene_of(lattice, method, interpolation);
   const Medium& medium = scene.media[0];
-  const Rays rays = rays_make(lattice);
+  const Rays rays = rays_make(lattice, scene.unit);
   const std::vector<float> found = Probe(context, scene, lanes).run("probe_integral", rays.packed, 8, 1);
   double worst = 0;
   int above = 0;

@@ -38,6 +38,11 @@ inline void expect_relative(double value, double expected, double limit, const s
       << where << ": " << value << " instead of " << expected;
 }
 
+// Closed forms are in the units of the scene's file.
+inline reference::RayD in_world(const FlatScene& scene, const reference::RayD& ray) {
+  return {scene.world(ray.origin), ray.dir};
+}
+
 inline void expect_closed_form(const std::string& name, const ClosedForm& form,
                                const std::vector<std::string>& overrides = {}, int scatter_order = 0) {
   const FlatScene scene = scene_flat(name, overrides, 4);
@@ -46,8 +51,8 @@ inline void expect_closed_form(const std::string& name, const ClosedForm& form,
   for (int y = 0; y < camera.height; ++y)
     for (int x = 0; x < camera.width; ++x) {
       const reference::RayD ray = reference::camera_ray(camera, x, y, {0.5, 0.5});
-      expect_relative(reference::ray_render(context, ray).radiance.y, form(scene, ray), REFERENCE_LIMIT,
-                      name + ", reference, pixel " + std::to_string(x) + "," + std::to_string(y));
+      expect_relative(reference::ray_render(context, ray).radiance.y, form(scene, in_world(scene, ray)),
+                      REFERENCE_LIMIT, name + ", reference, pixel " + std::to_string(x) + "," + std::to_string(y));
     }
   for (const int lanes : {1, 4, 8, 16}) {
     // Kernels made for the scene with 8 lanes; else those for any scene, which are built once for all tests.
@@ -58,7 +63,7 @@ inline void expect_closed_form(const std::string& name, const ClosedForm& form,
       for (int x = 0; x < camera.width; ++x) {
         const reference::RayD ray = reference::camera_ray(camera, x, y, {0.5, 0.5});
         expect_relative(
-            film.pixels()[y * camera.width + x].radiance.y, form(scene, ray), KERNEL_LIMIT,
+            film.pixels()[y * camera.width + x].radiance.y, form(scene, in_world(scene, ray)), KERNEL_LIMIT,
             name + ", " + std::to_string(lanes) + " lanes, pixel " + std::to_string(x) + "," + std::to_string(y));
       }
   }

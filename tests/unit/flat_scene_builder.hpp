@@ -26,7 +26,7 @@ inline Affine affine_scale(double s, const glm::dvec3& offset = glm::dvec3(0)) {
 inline FlatScene scene_empty(int size = 1) {
   FlatScene scene;
   Camera& camera = scene.frame.camera;
-  camera = {packed(0, 0, 8), CAMERA_ORTHOGRAPHIC, packed(0, 0, -1), size, packed(1, 0, 0), size, packed(0, 1, 0), 1};
+  camera = {packed(0, 0, 8), CAMERA_ORTHOGRAPHIC, packed(0, 0, -1), size, packed(1, 0, 0), size, packed(0, 1, 0), 1, 0};
   scene.frame.crop_x1 = scene.frame.crop_y1 = size;
   scene.frame.takes_ends = 1;
   return scene;

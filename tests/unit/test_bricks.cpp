@@ -102,7 +102,7 @@ dvec3 world_of(const FlatScene& scene, const Medium& m, const dvec3& p) {
   for (int row = 0; row < 3; ++row)
     w[row] = m.world_from_cell.m[4 * row] * p.x + m.world_from_cell.m[4 * row + 1] * p.y +
              m.world_from_cell.m[4 * row + 2] * p.z + m.world_from_cell.m[4 * row + 3];
-  return w + scene.origin;
+  return scene.world(w);
 }
 
 DensityDesc generator(const std::string& type, ivec3 resolution) {

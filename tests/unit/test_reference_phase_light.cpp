@@ -72,8 +72,8 @@ TEST(ReferenceLight, SpotFadesBySmoothstepInTheCosine) {
   light.type = LIGHT_SPOT;
   light.falloff = FALLOFF_NONE;
   light.direction = test::packed(0, 0, -1);
-  light.cos_outer = 0.5f;
-  light.cos_inner = 0.75f;
+  light.outer = 0.5f;
+  light.inner = 0.25f;
   const auto share = [&](double cosine) {
     return light_at(light, 7.0 * dvec3(std::sqrt(1 - cosine * cosine), 0, -cosine)).irradiance.x;
   };
@@ -82,7 +82,7 @@ TEST(ReferenceLight, SpotFadesBySmoothstepInTheCosine) {
   EXPECT_EQ(share(0.751), 1);
   EXPECT_NEAR(share(0.625), 0.5, 1e-14);
   EXPECT_NEAR(share(0.5625), 0.15625, 1e-14);  // x = 1/4: (1/16)(5/2)
-  light.cos_inner = 0.5f;                      // a hard edge
+  light.inner = 0.5f;                          // a hard edge
   EXPECT_EQ(share(0.501), 1);
   EXPECT_EQ(share(0.499), 0);
 }

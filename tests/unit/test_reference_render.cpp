@@ -179,7 +179,7 @@ TEST(ReferenceKeys, BlockedLightsInSegmentsWithDensity) {
   FlatScene scene = test::scene_empty();
   test::medium_add_grid(
       scene, {4, 4, 4}, INTERPOLATION_NEAREST, [](ivec3 s) { return s.z == 2 ? 0 : 1; }, 1, 1);
-  test::shape_add(scene, SHAPE_QUAD, {-9, 6, -9, 18, 0, 0, 0, 0, 18});
+  test::shape_add(scene, SHAPE_QUAD, {-9, 6, -9, 0, -1, 0, 1.0 / 18, 0, 0, 0, 0, 1.0 / 18});
   test::light_add_directional(scene, {1, 0, 0}, 1);
   test::light_add_directional(scene, {0, -1, 0}, 1);
   const PixelD pixel = ray_render(Context(scene, {}), VIEW);

@@ -68,7 +68,7 @@ TEST(ReferenceShapes, PlaneAndQuad) {
                       {"away", {0, 3, 0}, {0, 1, 0}, INFINITE},
                       {"oblique", {0, 2, 0}, {3, -4, 0}, 1.25}});
   FlatScene quad;  // corner (0,0,0), u = (2,0,0), v = (1,2,0)
-  shape_add(quad, SHAPE_QUAD, {0, 0, 0, 2, 0, 0, 1, 2, 0});
+  shape_add(quad, SHAPE_QUAD, {0, 0, 0, 0, 0, 1, 0.5, -0.25, 0, 0, 0.5, 0});
   expect_hits(quad, {{"middle", {1.5, 1, 3}, {0, 0, -1}, 3},
                      {"left of the slanted edge", {0.25, 1, 3}, {0, 0, -1}, INFINITE},
                      {"right of the slanted edge", {0.75, 1, 3}, {0, 0, -1}, 3},

@@ -58,7 +58,7 @@ TEST(ReferenceSurface, PlaneQuadBoxCoordinates) {
   expect_near(look(plane, {4, 9, 5}, {0, -1, 0}).uv, {3, -5});
   expect_near(look(plane, {4, -9, 5}, {0, 1, 0}).normal, {0, -1, 0});
   FlatScene quad;
-  test::shape_add(quad, SHAPE_QUAD, {0, 0, 0, 2, 0, 0, 1, 2, 0});
+  test::shape_add(quad, SHAPE_QUAD, {0, 0, 0, 0, 0, 1, 0.5, -0.25, 0, 0, 0.5, 0});
   expect_near(look(quad, {1.5, 1, 3}, {0, 0, -1}).uv, {0.5, 0.5});
   expect_near(look(quad, {1.5, 0.5, 3}, {0, 0, -1}).uv, {0.625, 0.25});
   FlatScene box;  // [0,2] x [0,4] x [0,8]

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "cli/command.hpp"
+#include "cli/output_files.hpp"
 #include "film/film_compare.hpp"
 
 namespace brume {
@@ -38,6 +39,7 @@ nlohmann::ordered_json compare_json(const CompareResult& r) {
 }
 
 int compare_run(const CompareArguments& arguments) {
+  output_files_check({{"-o", arguments.difference}}, {{"the image", arguments.a}, {"the reference", arguments.b}});
   if (!arguments.difference.empty()) image_check_writable(arguments.difference);
   const Image a = image_read(arguments.a), b = image_read(arguments.b);
   const CompareResult result = image_compare(a, b, arguments.layer);

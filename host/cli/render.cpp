@@ -8,6 +8,7 @@
 #include "base/interrupt.hpp"
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
+#include "cli/output_files.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_arguments.hpp"
 #include "cli/render_report.hpp"
@@ -38,23 +39,42 @@ SceneDesc describe(const RenderArguments& arguments) {
   return desc;
 }
 
+// Adds why `write` failed to `failures`, and goes on: what else is done is not lost.
+template <class Write>
+void attempt(std::string& failures, Write write) {
+  try {
+    write();
+  } catch (const RuntimeError& error) {
+    failures += (failures.empty() ? "" : "; ") + std::string(error.what());
+  }
+}
+
 void write_outputs(const RenderArguments& arguments, const SceneDesc& desc, const FlatScene& flat, const Film& film,
-                   const Context& context, const RenderStats& stats) {
+                   const Context& context, const RenderStats& stats, std::string& failures) {
   FilmWriteOptions options;
   options.exposure = desc.film.exposure;
   options.aovs = arguments.aovs();
   options.metadata = render_metadata(desc, flat, context.device(), stats);
-  for (const std::filesystem::path& output : arguments.outputs) {
-    film_write(film, output, options);
-    std::printf("%s\n", output.string().c_str());
-  }
+  for (const std::filesystem::path& output : arguments.outputs)
+    attempt(failures, [&] {
+      film_write(film, output, options);
+      std::printf("%s\n", output.string().c_str());
+    });
+}
+
+void check_outputs(const RenderArguments& arguments) {
+  std::vector<NamedFile> files;
+  for (const std::filesystem::path& output : arguments.outputs) files.push_back({"-o", output});
+  files.insert(files.end(), {{"--stats", arguments.stats}, {"--save-scene", arguments.save_scene}});
+  output_files_check(files, {{"the input", arguments.scene}});
+  for (const std::filesystem::path& output : arguments.outputs) image_check_writable(output);
+  if (!arguments.stats.empty()) AtomicFile(arguments.stats);
 }
 
 int render_run(RenderArguments arguments) {
   Stopwatch total, lap;
   arguments.complete();
-  for (const std::filesystem::path& output : arguments.outputs) image_check_writable(output);
-  if (!arguments.stats.empty()) AtomicFile(arguments.stats);
+  check_outputs(arguments);
   const SceneDesc desc = describe(arguments);
   if (!arguments.save_scene.empty())
     atomic_write(arguments.save_scene, scene_write(desc, arguments.save_scene.parent_path()));
@@ -77,10 +97,13 @@ int render_run(RenderArguments arguments) {
       return !interrupt_requested();
     });
   }
-  write_outputs(arguments, desc, flat, film, context, renderer.stats());
+  std::string failures;
+  write_outputs(arguments, desc, flat, film, context, renderer.stats(), failures);
   times.total_s = total.seconds();
   if (!arguments.stats.empty())
-    atomic_write(arguments.stats, render_stats_json(desc, flat, device, renderer.stats(), times));
+    attempt(failures,
+            [&] { atomic_write(arguments.stats, render_stats_json(desc, flat, device, renderer.stats(), times)); });
+  if (!failures.empty()) throw RuntimeError(failures);
   say(arguments, render_summary(desc, flat, device, renderer.stats(), times));
   if (!complete) throw Interrupted("interrupted; what was done has been written");
   return 0;

@@ -1,4 +1,4 @@
-// Images out: EXR with layers, PNG and JPEG. Temporaries end in the target's extension because the library goes by it.
+// Images out: EXR with layers, PNG and JPEG. They are encoded in memory by brume-image and written here.
 #include <cmath>
 #include <cstdint>
 
@@ -13,19 +13,31 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// The bytes of the file. A program that dies is started once more: it may have been killed from outside, and a finished picture is not to be
+// lost for that.
+std::string encode(const fs::path& file, const ImageRequest& request, const std::vector<std::string>& texts,
+                   const void* values) {
+  ImageProgram& program = ImageProgram::writer();
+  std::string how;
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    ImageAnswer answer{};
+    std::vector<std::string> said;
+    if (program.ask(request, texts, values, answer, said)) {
+      if (answer.width == 0) throw RuntimeError(file.string() + ": cannot be written: " + said.at(0));
+      std::string bytes(answer.value_bytes, '\0');
+      if (program.receive(bytes.data(), bytes.size())) return bytes;
+    }
+    how = program.stop();
+  }
+  throw RuntimeError(file.string() + ": cannot be written: the image library crashed (" + how + ")");
+}
+
 void write(const fs::path& file, const ImageFormat& format, const ImageRequest& request,
            const std::vector<std::string>& channels, const ImageMetadata& attributes, const void* values) {
-  AtomicFile atomic(file, format.extensions.front());
-  std::vector<std::string> texts{std::string(format.plugin), fs::absolute(atomic.temporary()).string()};
+  std::vector<std::string> texts{std::string(format.plugin)};
   texts.insert(texts.end(), channels.begin(), channels.end());
   for (const auto& [key, value] : attributes) texts.insert(texts.end(), {key, value});
-  ImageAnswer answer{};
-  std::vector<std::string> said;
-  ImageProgram& program = ImageProgram::writer();
-  if (program.ask(request, texts, values, answer, said) && answer.width > 0) return atomic.commit();
-  const std::string how = program.stop();
-  throw RuntimeError(file.string() +
-                     ": cannot be written: " + (said.empty() ? "the image library crashed (" + how + ")" : said[0]));
+  atomic_write(file, encode(file, request, texts, values));
 }
 
 void check_output(const fs::path& file, const ImageFormat& format, ImageOutput wanted) {
@@ -71,8 +83,8 @@ void image_write_display(const fs::path& file, int width, int height, const std:
 }
 
 void image_check_writable(const fs::path& file) {
-  const ImageFormat& format = image_format_of_output(file);
-  AtomicFile probe(file, format.extensions.front());
+  image_format_of_output(file);
+  AtomicFile probe(file);
   ImageProgram::writer().start();
 }
 

@@ -233,39 +233,60 @@ TEST_F(ImageTest, TheLibraryIsInAnotherProcess) {
   EXPECT_EQ(image_read(folder_ / "a.png").channels, 3);
 }
 
-TEST_F(ImageTest, ADeadProgramIsStartedAnew) {
-  const std::vector<float> rgb(12, 0.5f);
-  image_check_writable(folder_ / "a.png");
-  ImageProgram::writer().stop();
-  image_write_display(folder_ / "a.png", 2, 2, rgb);
+// The running brume-image of this process.
+pid_t image_child() {
   pid_t child = 0;
   std::ifstream("/proc/self/task/" + std::to_string(::getpid()) + "/children") >> child;
-  ASSERT_GT(child, 0);
-  ::kill(child, SIGKILL);
-  EXPECT_THAT(message_of<RuntimeError>([&] { image_write_display(folder_ / "b.png", 2, 2, rgb); }),
-              HasSubstr("b.png: cannot be written: the image library crashed (signal 9)"));
-  image_write_display(folder_ / "c.png", 2, 2, rgb);
-  EXPECT_THAT(files(), testing::UnorderedElementsAre("a.png", "c.png"));
+  EXPECT_GT(child, 0);
+  return child;
 }
 
-TEST_F(ImageTest, FailedWritesLeaveNothingBehind) {
-  const std::vector<float> rgb(300 * 300 * 3, 0.5f);
+TEST_F(ImageTest, AProgramKilledFromOutsideIsStartedOnceMore) {
+  const std::vector<float> rgb(12, 0.5f);
+  ImageProgram::reader().stop();
+  ImageProgram::writer().stop();
+  for (const int signal : {SIGKILL, SIGTERM, SIGSEGV}) {
+    image_check_writable(folder_ / "a.png");
+    ::kill(image_child(), signal);
+    image_write_display(folder_ / "a.png", 2, 2, rgb);
+    ImageProgram::writer().stop();
+    ImageProgram::reader().start();
+    ::kill(image_child(), signal);
+    if (signal == SIGSEGV) {
+      EXPECT_THAT(refusal(folder_ / "a.png"), HasSubstr("makes the image library crash (signal 11)"));
+    } else {
+      EXPECT_EQ(image_read(folder_ / "a.png").width, 2);
+    }
+    ImageProgram::reader().stop();
+  }
+  EXPECT_THAT(files(), testing::ElementsAre("a.png"));
+}
+
+TEST_F(ImageTest, FailedWritesKeepWhatWasThereAndSayWhatTheSystemSays) {
   std::vector<float> noise;
-  for (unsigned i = 0, x = 1; i < 300 * 300; ++i) noise.push_back(float((x = x * 1664525u + 1013904223u) >> 8));
-  const auto write_exr = [&] { image_write_exr(folder_ / "a.exr", 300, 300, {{"R", noise.data()}}, {}); };
+  for (unsigned i = 0, x = 1; i < 300 * 300 * 3; ++i)
+    noise.push_back(float((x = x * 1664525u + 1013904223u) >> 8) * 0x1p-24f);
+  const auto write_all = [&](const char* name) {
+    const fs::path file = folder_ / name;
+    if (file.extension() == ".exr") return image_write_exr(file, 300, 300, {{"R", noise.data()}}, {});
+    image_write_display(file, 300, 300, noise);
+  };
   rlimit old{};
   ::getrlimit(RLIMIT_FSIZE, &old);
   std::signal(SIGXFSZ, SIG_IGN);
-  rlimit small = old;
-  small.rlim_cur = 4096;
-  ::setrlimit(RLIMIT_FSIZE, &small);
-  const std::string message = message_of<RuntimeError>(write_exr);
-  ::setrlimit(RLIMIT_FSIZE, &old);
-  EXPECT_THAT(message, HasSubstr("a.exr: cannot be written"));
-  EXPECT_THAT(files(), testing::IsEmpty());
-  write_exr();
-  image_write_display(folder_ / "a.JPEG", 300, 300, rgb);
-  EXPECT_THAT(files(), testing::UnorderedElementsAre("a.exr", "a.JPEG"));
+  const rlimit small{4096, old.rlim_max};
+  for (const char* name : {"a.exr", "a.png", "a.JPEG"}) {
+    std::ofstream(folder_ / name) << "old";
+    ImageProgram::writer().stop();
+    ::setrlimit(RLIMIT_FSIZE, &small);  // brume-image, too, lives under it
+    const std::string message = message_of<RuntimeError>([&] { write_all(name); });
+    ::setrlimit(RLIMIT_FSIZE, &old);
+    EXPECT_EQ(message, (folder_ / name).string() + ": cannot be written: File too large");
+    EXPECT_EQ(fs::file_size(folder_ / name), 3u);
+    write_all(name);
+    EXPECT_EQ(image_read(folder_ / name).width, 300);
+  }
+  EXPECT_THAT(files(), testing::UnorderedElementsAre("a.exr", "a.png", "a.JPEG"));
 }
 
 TEST_F(ImageTest, WritabilityIsKnownBeforeRendering) {

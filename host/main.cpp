@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "base/streams.hpp"
 #include "cli/command.hpp"
 #include "version.hpp"
 
@@ -46,9 +47,12 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  brume::streams_open();
   brume::interrupt_install();
   try {
-    return run(argc, argv);
+    const int code = run(argc, argv);
+    brume::stdout_flush();
+    return code;
   } catch (const brume::InputError& error) {
     return fail(error.what(), 2);
   } catch (const brume::Interrupted& error) {

@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/streams.hpp"
 #include "check/check.hpp"
 #include "check/stability.hpp"
 #include "cli/command.hpp"
@@ -26,7 +27,7 @@ struct CheckArguments {
 void print_row(const CheckRow& row) {
   std::printf("%-4s %-34s %5d %8zu %6zu  %9.2e  %9.2e  %7.0e\n", row.passed() ? "ok" : "MISS", row.name.c_str(),
               row.lanes, row.items, row.edges, row.max_error, row.mean_error, row.allowed.limit);
-  std::fflush(stdout);
+  stdout_flush();
 }
 
 void print_reasons() {
@@ -72,7 +73,7 @@ int check_command(CheckArguments arguments) {
 void print_stability(const StabilityRow& row) {
   std::printf("%-4s %-16s %-22s %5d  %s\n", row.holds ? "ok" : "FAIL", row.name.c_str(), row.method.c_str(), row.lanes,
               row.remark.c_str());
-  std::fflush(stdout);
+  stdout_flush();
 }
 
 nlohmann::ordered_json stability_json(const DeviceInfo& device, const std::vector<StabilityRow>& rows) {

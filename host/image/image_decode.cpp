@@ -35,7 +35,7 @@ bool decode(const std::string& name, const std::vector<std::string>& texts, Deco
   ImageProgram& program = ImageProgram::reader();
   ImageAnswer answer{};
   std::vector<std::string> said;
-  if (!program.ask({0, ImageAction::READ, 0, 0, 0, Samples::FLOATING, 0, 0}, texts, nullptr, answer, said))
+  if (!program.ask({0, ImageAction::READ, 0, 0, 0, Samples::FLOATING, 0, 0, 0, 0, 0, 0}, texts, nullptr, answer, said))
     return false;
   if (answer.width == 0) fail(name + ": cannot be read: " + (said.empty() ? "" : one_line(said[0])));
   const std::string problem = image_size_problem(answer.width, answer.height, answer.channels);

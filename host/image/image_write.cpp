@@ -54,21 +54,25 @@ std::uint8_t quantise(float display) {
 }  // namespace
 
 void image_write_exr(const fs::path& file, int width, int height, const std::vector<ImageChannel>& channels,
-                     const ImageMetadata& metadata) {
+                     const ImageMetadata& metadata, ImageWindow window) {
   const ImageFormat& format = image_format_of_output(file);
   check_output(file, format, ImageOutput::LINEAR);
-  const std::size_t count = channels.size(), pixels = std::size_t(width) * std::size_t(height);
+  if (window.width() <= 0) window = {0, 0, width, height};
+  const std::size_t count = channels.size();
   std::vector<std::string> names;
   names.reserve(count);
   for (const ImageChannel& channel : channels) names.push_back(channel.name);
   ImageMetadata attributes{{"compression", "zip:1"}};
   attributes.insert(attributes.end(), metadata.begin(), metadata.end());
-  std::vector<float> values(pixels * count);
-  for (std::size_t c = 0; c < count; ++c)
-    for (std::size_t i = 0; i < pixels; ++i) values[i * count + c] = channels[c].values[i * channels[c].stride];
+  std::vector<float> values;
+  values.reserve(std::size_t(window.width()) * std::size_t(window.height()) * count);
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x)
+      for (const ImageChannel& channel : channels)
+        values.push_back(channel.values[(std::size_t(y) * std::size_t(width) + std::size_t(x)) * channel.stride]);
   write(file, format,
-        {0, ImageAction::WRITE, width, height, static_cast<int>(count), Samples::FLOATING, 0,
-         values.size() * sizeof(float)},
+        {0, ImageAction::WRITE, window.width(), window.height(), static_cast<int>(count), Samples::FLOATING, 0,
+         values.size() * sizeof(float), window.x0, window.y0, width, height},
         names, attributes, values.data());
 }
 
@@ -78,8 +82,8 @@ void image_write_display(const fs::path& file, int width, int height, const std:
   const ImageMetadata attributes{{"Compression", "jpeg:95"}, {"jpeg:subsampling", "4:4:4"}};  // PNG does not read them
   std::vector<std::uint8_t> codes(rgb.size());
   for (std::size_t i = 0; i < rgb.size(); ++i) codes[i] = quantise(rgb[i]);
-  write(file, format, {0, ImageAction::WRITE, width, height, 3, Samples::UINT8, 0, codes.size()}, {"R", "G", "B"},
-        attributes, codes.data());
+  write(file, format, {0, ImageAction::WRITE, width, height, 3, Samples::UINT8, 0, codes.size(), 0, 0, width, height},
+        {"R", "G", "B"}, attributes, codes.data());
 }
 
 void image_check_writable(const fs::path& file) {

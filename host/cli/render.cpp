@@ -54,10 +54,15 @@ void write_outputs(const RenderArguments& arguments, const SceneDesc& desc, cons
   FilmWriteOptions options;
   options.exposure = desc.film.exposure;
   options.aovs = arguments.aovs();
+  options.alpha = arguments.alpha;
+  const Frame& frame = flat.frame;
+  const Film trimmed =
+      arguments.trim ? film.cut({frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1}) : Film({0, 0});
+  if (!arguments.trim) options.window = {frame.crop_x0, frame.crop_y0, frame.crop_x1, frame.crop_y1};
   options.metadata = render_metadata(desc, flat, context.device(), stats);
   for (const std::filesystem::path& output : arguments.outputs)
     attempt(failures, [&] {
-      film_write(film, output, options);
+      film_write(arguments.trim ? trimmed : film, output, options);
       std::printf("%s\n", output.string().c_str());
     });
 }
@@ -81,7 +86,7 @@ int render_run(RenderArguments arguments) {
 
   const DeviceInfo device = device_choose(arguments.device);
   const int lanes = lanes_choose(device, arguments.lanes);
-  const FlatScene flat = flatten(desc, {bvh_width_for(lanes), arguments.crop_box()});
+  const FlatScene flat = flatten(desc, {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha});
   for (const std::string& note : flat.notes) say(arguments, "note: " + note);
   RunTimes times;
   times.load_s = lap.lap();

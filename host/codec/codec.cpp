@@ -108,6 +108,8 @@ void write(const Peer& peer, const ImageRequest& request, const std::vector<std:
   spec.channelnames.clear();
   std::size_t text = 1;
   for (int c = 0; c < request.channels; ++c) spec.channelnames.push_back(texts.at(text++));
+  const auto alpha = std::find(spec.channelnames.begin(), spec.channelnames.end(), "A");
+  spec.alpha_channel = alpha == spec.channelnames.end() ? -1 : int(alpha - spec.channelnames.begin());
   for (; text + 1 < texts.size(); text += 2) spec.attribute(texts[text], texts[text + 1]);
   OIIO::Filesystem::IOVecOutput file;
   const auto output = OIIO::ImageOutput::create(texts.at(0));

@@ -54,6 +54,7 @@ FlatScene flatten(const SceneDesc& desc, const FlattenOptions& options) {
   flatten_shapes(shapes, scene);
   flatten_media(desc, media, scene);
   crop_set(scene.frame, options.crop, desc.film.size);
+  scene.frame.hides_background = options.hide_background;
   return scene;
 }
 

@@ -68,8 +68,10 @@ struct ImageWindow {
 void image_write_exr(const std::filesystem::path& file, int width, int height,
                      const std::vector<ImageChannel>& channels, const ImageMetadata& metadata, ImageWindow window = {});
 
-// 8-bit PNG or JPEG (quality 95, no chroma subsampling) from 3 display values in [0,1] per pixel; NaN is written as 0.
-void image_write_display(const std::filesystem::path& file, int width, int height, const std::vector<float>& rgb);
+// 8-bit PNG or JPEG (quality 95, no chroma subsampling) from 3 display values in [0,1] per pixel; NaN is written as 0. With `alpha` 4 values,
+// the last one alpha, not multiplied into the others: PNG only.
+void image_write_display(const std::filesystem::path& file, int width, int height, const std::vector<float>& values,
+                         bool alpha = false);
 
 // To be called BEFORE a long rendering: throws what writing to that path would throw for its extension, folder or
 // target, and has the image library loaded meanwhile.

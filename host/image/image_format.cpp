@@ -17,11 +17,11 @@ constexpr std::size_t IMAGE_FILE_BYTES_MAX = std::size_t(2) << 30;
 
 const std::vector<ImageFormat>& image_formats() {
   static const std::vector<ImageFormat> formats = {
-      {"exr", "openexr", {".exr"}, {"\x76\x2f\x31\x01"sv}, ImageOutput::LINEAR},
-      {"png", "png", {".png"}, {"\x89PNG\r\n\x1a\n"sv}, ImageOutput::DISPLAY},
-      {"jpg", "jpeg", {".jpg", ".jpeg"}, {"\xff\xd8\xff"sv}, ImageOutput::DISPLAY},
-      {"hdr", "hdr", {".hdr"}, {"#?RADIANCE"sv, "#?RGBE"sv}, ImageOutput::NONE},
-      {"tif", "tiff", {".tif", ".tiff"}, {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv}, ImageOutput::NONE},
+      {"exr", "openexr", {".exr"}, {"\x76\x2f\x31\x01"sv}, ImageOutput::LINEAR, true},
+      {"png", "png", {".png"}, {"\x89PNG\r\n\x1a\n"sv}, ImageOutput::DISPLAY, true},
+      {"jpg", "jpeg", {".jpg", ".jpeg"}, {"\xff\xd8\xff"sv}, ImageOutput::DISPLAY, false},
+      {"hdr", "hdr", {".hdr"}, {"#?RADIANCE"sv, "#?RGBE"sv}, ImageOutput::NONE, true},
+      {"tif", "tiff", {".tif", ".tiff"}, {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv}, ImageOutput::NONE, true},
   };
   return formats;
 }

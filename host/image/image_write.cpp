@@ -76,14 +76,20 @@ void image_write_exr(const fs::path& file, int width, int height, const std::vec
         names, attributes, values.data());
 }
 
-void image_write_display(const fs::path& file, int width, int height, const std::vector<float>& rgb) {
+void image_write_display(const fs::path& file, int width, int height, const std::vector<float>& values, bool alpha) {
   const ImageFormat& format = image_format_of_output(file);
   check_output(file, format, ImageOutput::DISPLAY);
-  const ImageMetadata attributes{{"Compression", "jpeg:95"}, {"jpeg:subsampling", "4:4:4"}};  // PNG does not read them
-  std::vector<std::uint8_t> codes(rgb.size());
-  for (std::size_t i = 0; i < rgb.size(); ++i) codes[i] = quantise(rgb[i]);
-  write(file, format, {0, ImageAction::WRITE, width, height, 3, Samples::UINT8, 0, codes.size(), 0, 0, width, height},
-        {"R", "G", "B"}, attributes, codes.data());
+  // PNG reads the last one only, JPEG the others.
+  const ImageMetadata attributes{
+      {"Compression", "jpeg:95"}, {"jpeg:subsampling", "4:4:4"}, {"oiio:UnassociatedAlpha", "1"}};
+  std::vector<std::uint8_t> codes(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) codes[i] = quantise(values[i]);
+  std::vector<std::string> names{"R", "G", "B"};
+  if (alpha) names.push_back("A");
+  write(file, format,
+        {0, ImageAction::WRITE, width, height, static_cast<int>(names.size()), Samples::UINT8, 0, codes.size(), 0, 0,
+         width, height},
+        names, attributes, codes.data());
 }
 
 void image_check_writable(const fs::path& file) {

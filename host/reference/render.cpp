@@ -56,6 +56,7 @@ void pixel_add(PixelD& sum, const PixelD& sample) {
   sum.samples += sample.samples;
   sum.depth += sample.depth;
   sum.hits += sample.hits;
+  sum.clear += sample.clear;
   sum.lookups += sample.lookups;
   sum.key += sample.key;
 }
@@ -72,6 +73,7 @@ FilmPixel film_pixel(const PixelD& p) {
   pixel.hits = static_cast<float>(p.hits);
   pixel.lookups = static_cast<float>(p.lookups);
   pixel.key = p.key;
+  pixel.clear = static_cast<float>(p.clear);
   return pixel;
 }
 
@@ -120,7 +122,9 @@ PixelD path_render(const Context& context, const RayD& ray, const RandomStream& 
   sample.transmittance = transmittance_of(media.tau);
   sample.lookups = media.lookups;
   if (hit.primitive == PRIMITIVE_NONE) {
-    sample.radiance = media.radiance + sample.transmittance * vec_promote(scene.frame.background);
+    sample.clear = (sample.transmittance.x + sample.transmittance.y + sample.transmittance.z) / 3;
+    const bool hidden = scene.frame.hides_background && depth == 0;
+    sample.radiance = media.radiance + (hidden ? dvec3(0) : sample.transmittance * vec_promote(scene.frame.background));
     sample.key = sample_key(hit.primitive, 0, walked(context, media.shadow_key, sample.lookups), 0) *
                  static_cast<uint>(2 * depth + 1);
     return sample;

@@ -31,7 +31,9 @@ typedef struct {
   uint key;
   float shadow_rays;
   float secondary_rays;
+  float
+      clear;  // transmittance, its three channels' mean, over the samples that hit nothing: how much of the background is seen
 } FilmPixel;
-BRUME_LAYOUT(FilmPixel, 64);
+BRUME_LAYOUT(FilmPixel, 68);
 BRUME_SHARED_END
 #endif

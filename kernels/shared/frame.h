@@ -20,7 +20,8 @@ typedef struct {
   float roulette;  // view rays below this transmittance are ended at random, the rest weighs more; 0: never
   int pad;
   int crop_x0, crop_y0, crop_x1, crop_y1;  // pixels rendered: [x0,x1) x [y0,y1)
+  int hides_background;  // 1: camera rays see nothing where they hit nothing; mirrors and glass go on seeing it
 } Frame;
-BRUME_LAYOUT(Frame, 144);
+BRUME_LAYOUT(Frame, 148);
 BRUME_SHARED_END
 #endif

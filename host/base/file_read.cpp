@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "base/error.hpp"
+#include "base/out_of_memory.hpp"
 
 namespace brume {
 namespace fs = std::filesystem;
@@ -83,7 +84,7 @@ class OpenFile {
 }  // namespace
 
 std::string file_read_text(const fs::path& file, std::size_t bytes_max, const std::string& kind) {
-  return OpenFile(file, bytes_max, kind).read_text();
+  return with_memory(file.string(), [&] { return OpenFile(file, bytes_max, kind).read_text(); });
 }
 
 std::string file_head(const fs::path& file, std::size_t count, std::size_t bytes_max, const std::string& kind) {

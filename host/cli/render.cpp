@@ -6,8 +6,11 @@
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "base/out_of_memory.hpp"
 #include "base/stopwatch.hpp"
+#include "base/text_printable.hpp"
 #include "cli/command.hpp"
+#include "cli/file_kind.hpp"
 #include "cli/output_files.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_arguments.hpp"
@@ -24,11 +27,11 @@ namespace brume {
 namespace {
 
 void say(const RenderArguments& arguments, const std::string& text) {
-  if (!arguments.quiet) std::fprintf(stderr, "brume: %s\n", text.c_str());
+  if (!arguments.quiet) std::fprintf(stderr, "brume: %s\n", text_printable(text).c_str());
 }
 
 SceneDesc describe(const RenderArguments& arguments) {
-  if (!bare_scene_takes(arguments.scene)) return scene_read(arguments.scene, arguments.all_overrides());
+  if (file_kind(arguments.scene) == FileKind::SCENE) return scene_read(arguments.scene, arguments.all_overrides());
   std::string report;
   const SceneDesc bare = bare_scene(arguments.scene, report);
   say(arguments, report);
@@ -39,11 +42,13 @@ SceneDesc describe(const RenderArguments& arguments) {
   return desc;
 }
 
+std::string size_text(glm::ivec2 size) { return std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels"; }
+
 // Adds why `write` failed to `failures`, and goes on: what else is done is not lost.
 template <class Write>
-void attempt(std::string& failures, Write write) {
+void attempt(std::string& failures, const std::filesystem::path& file, Write write) {
   try {
-    write();
+    with_memory(file.string(), write);
   } catch (const RuntimeError& error) {
     failures += (failures.empty() ? "" : "; ") + std::string(error.what());
   }
@@ -61,7 +66,7 @@ void write_outputs(const RenderArguments& arguments, const SceneDesc& desc, cons
   if (!arguments.trim) options.window = {frame.crop_x0, frame.crop_y0, frame.crop_x1, frame.crop_y1};
   options.metadata = render_metadata(desc, flat, context.device(), stats);
   for (const std::filesystem::path& output : arguments.outputs)
-    attempt(failures, [&] {
+    attempt(failures, output, [&] {
       film_write(arguments.trim ? trimmed : film, output, options);
       std::printf("%s\n", output.string().c_str());
     });
@@ -80,20 +85,23 @@ int render_run(RenderArguments arguments) {
   Stopwatch total, lap;
   arguments.complete();
   check_outputs(arguments);
-  const SceneDesc desc = describe(arguments);
+  const std::string input = arguments.scene.string();
+  const SceneDesc desc = with_memory(input, [&] { return describe(arguments); });
   if (!arguments.save_scene.empty())
     atomic_write(arguments.save_scene, scene_write(desc, arguments.save_scene.parent_path()));
 
   const DeviceInfo device = device_choose(arguments.device);
   const int lanes = lanes_choose(device, arguments.lanes);
-  const FlatScene flat = flatten(desc, {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha});
+  const FlatScene flat = with_memory(input, [&] {
+    return flatten(desc, {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha});
+  });
   for (const std::string& note : flat.notes) say(arguments, "note: " + note);
   RunTimes times;
   times.load_s = lap.lap();
 
   Context context(device);
   Renderer renderer(context, flat, {lanes, arguments.generic, 0});
-  Film film(desc.film.size);
+  Film film = with_memory("a film of " + size_text(desc.film.size), [&] { return Film(desc.film.size); });
   bool complete;
   {
     ProgressBar bar(arguments.quiet);
@@ -106,7 +114,7 @@ int render_run(RenderArguments arguments) {
   write_outputs(arguments, desc, flat, film, context, renderer.stats(), failures);
   times.total_s = total.seconds();
   if (!arguments.stats.empty())
-    attempt(failures,
+    attempt(failures, arguments.stats,
             [&] { atomic_write(arguments.stats, render_stats_json(desc, flat, device, renderer.stats(), times)); });
   if (!failures.empty()) throw RuntimeError(failures);
   say(arguments, render_summary(desc, flat, device, renderer.stats(), times));

@@ -15,8 +15,9 @@ struct Image {
   std::vector<float> values;
   std::vector<std::string> channel_names;
   bool from_integers = false;  // the file stores integers: display values, not radiance
-  std::size_t cleaned = 0;     // values that were NaN, infinite or negative and became 0 (image_read_texture only)
-  std::string source;          // the file, for messages
+  std::size_t cleaned =
+      0;  // texels with a channel that was NaN, infinite or negative and became 0 (image_read_texture only)
+  std::string source;  // the file, for messages
 };
 
 // Reading. Formats are told by content (see image_format.hpp), not by extension; of a multi-part file the first part is

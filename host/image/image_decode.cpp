@@ -4,6 +4,7 @@
 #include <csignal>
 
 #include "base/error.hpp"
+#include "base/text_printable.hpp"
 #include "image/image_format.hpp"
 #include "image/image_program.hpp"
 
@@ -11,11 +12,12 @@ namespace brume {
 
 namespace {
 
-// Messages are one line, whatever the library says.
-std::string one_line(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  return text.substr(0, text.find_last_not_of(' ') + 1);
+// What the library says, on one line and without the file's name, which stands before it already.
+std::string reason(std::string said, const std::string& absolute) {
+  for (const std::string& name : {"\"" + absolute + "\"", "'" + absolute + "'", absolute})
+    for (std::size_t at; (at = said.find(name)) != std::string::npos;) said.replace(at, name.size(), "it");
+  while (!said.empty() && static_cast<unsigned char>(said.back()) <= ' ') said.pop_back();
+  return text_printable(said);
 }
 
 [[noreturn]] void fail_dead(const std::string& file, const std::string& how) {
@@ -37,7 +39,7 @@ bool decode(const std::string& name, const std::vector<std::string>& texts, Deco
   std::vector<std::string> said;
   if (!program.ask({0, ImageAction::READ, 0, 0, 0, Samples::FLOATING, 0, 0, 0, 0, 0, 0}, texts, nullptr, answer, said))
     return false;
-  if (answer.width == 0) fail(name + ": cannot be read: " + (said.empty() ? "" : one_line(said[0])));
+  if (answer.width == 0) fail(name + ": cannot be read: " + (said.empty() ? "" : reason(said[0], texts[1])));
   const std::string problem = image_size_problem(answer.width, answer.height, answer.channels);
   if (!problem.empty()) fail(name + ": " + problem);
   decoded = {{answer.width, answer.height, answer.channels, {}, said, false, 0, name}, answer.samples};

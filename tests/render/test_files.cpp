@@ -87,5 +87,30 @@ TEST_F(Files, ResultsThatCannotBePrintedAreAFailure) {
   EXPECT_TRUE(fs::exists(folder_ / "b.png"));
 }
 
+TEST_F(Files, AreOfAKindByTheirEnding) {
+  fs::copy(folder_ / "a.json", folder_ / "UPPER.JSON");
+  EXPECT_EQ(run("render UPPER.JSON -o a.PNG --quiet").exit_code, 0);
+  EXPECT_EQ(run("info UPPER.JSON").exit_code, 0);
+  write("a.nrrd", "NRRD0004");
+  fs::create_directory(folder_ / "folder");
+  for (const std::string command : {"render ", "info "}) {
+    expect_refused(command + "a.nrrd", 2, "a.nrrd: unknown kind of file '.nrrd'; known: .json, .vdb, .obj");
+    expect_refused(command + "none.nrrd", 2, "none.nrrd: cannot be opened: No such file");
+    expect_refused(command + "folder", 2, "folder: is a folder, expected a file of a known kind: .json, .vdb, .obj");
+  }
+}
+
+// A name in Latin-1: printed as it is where it is a result, and as something printable everywhere else.
+TEST_F(Files, WhoseNamesAreNotUtf8AreNamed) {
+  fs::copy(folder_ / "a.json", folder_ / "n\xE4.json");
+  const Outcome r = run("render n\xE4.json -o p\xE4.exr --stats s.json --quiet");
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_EQ(r.out, "p\xE4.exr\n");
+  EXPECT_THAT(text(folder_ / "s.json"), HasSubstr("\"n\xEF\xBF\xBD.json\""));
+  EXPECT_THAT(run("info n\xE4.json --json").out, HasSubstr("\"n\xEF\xBF\xBD.json\""));
+  EXPECT_THAT(run("info n\xE4.json").out, HasSubstr("n\\xE4.json"));
+  expect_refused("info x\xE4.json", 2, "x\\xE4.json: cannot be opened");
+}
+
 }  // namespace
 }  // namespace brume::test

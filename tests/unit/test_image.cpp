@@ -122,11 +122,26 @@ TEST(ImageData, NanInfAndNegativeTexelsAreCleanedAndCounted) {
   const fs::path file = data_path("textures/BrightRingsNanInf.exr");
   NEED_DATA(file);
   std::size_t bad = 0;
-  for (float value : image_read(file).values) bad += !(std::isfinite(value) && value >= 0);
+  const Image stored = image_read(file);
+  ASSERT_EQ(stored.channels, 3);
+  for (std::size_t i = 0; i < stored.values.size(); i += 3) {
+    const auto is_bad = [](float value) { return !(std::isfinite(value) && value >= 0); };
+    bad += std::any_of(&stored.values[i], &stored.values[i] + 3, is_bad);
+  }
   const Image texture = image_read_texture(file);
   EXPECT_GT(bad, 0u);
   EXPECT_EQ(texture.cleaned, bad);
   for (float value : texture.values) ASSERT_TRUE(std::isfinite(value) && value >= 0);
+}
+
+TEST_F(ImageTest, CleanedTexelsAreCountedAndNotTheirChannels) {
+  const float inf = INFINITY;
+  const fs::path file =
+      write<float>("a.exr", 2, 3, OIIO::TypeDesc::FLOAT, {1, inf, -inf, 1, 2, 3, -1, NAN, inf, 0, -1, 0});
+  const Image texture = image_read_texture(file);
+  EXPECT_EQ(texture.cleaned, 3u);
+  EXPECT_EQ(texture.values, (std::vector<float>{1, 0, 0, 1, 2, 3, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(image_read_texture(write<float>("b.exr", 1, 1, OIIO::TypeDesc::FLOAT, {inf})).cleaned, 1u);
 }
 
 TEST(ImageData, FloatsAreLinearAndUntouched) {

@@ -61,6 +61,22 @@ TEST_F(ImageTest, TheReaderLivesUnderALimitOfMemory) {
   EXPECT_LT(bytes, 8ll << 30);
 }
 
+// The library's own messages hold the name, too, and some bytes of the file.
+TEST_F(ImageTest, MessagesNameTheFileOnce) {
+  const fs::path exr = write("whole.exr", 64, 1, OIIO::TypeDesc::FLOAT, std::vector<float>(64 * 64, 0.3f));
+  std::ifstream in(exr, std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(in), {});
+  for (const std::size_t cut : {std::size_t(9), std::size_t(60), bytes.size() / 2}) {
+    const fs::path file = folder_ / "b\xE4 \xC3\xA4.exr";
+    std::ofstream(file, std::ios::binary) << bytes.substr(0, cut) << "\xE4\x01\x02";
+    const std::string message = refusal(file);
+    const std::string behind = message.substr(file.string().size());
+    EXPECT_EQ(message.rfind(file.string() + ": ", 0), 0u) << message;
+    EXPECT_EQ(behind.find(folder_.string()), std::string::npos) << message;
+    for (const char c : behind) EXPECT_TRUE(c >= ' ' && c <= '~') << message;
+  }
+}
+
 TEST(ImageDamaged, EveryFileEndsInAnErrorOrAnImage) {
   const fs::path folder = data_path("damaged");
   NEED_DATA(folder);

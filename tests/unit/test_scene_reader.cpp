@@ -119,7 +119,7 @@ TEST(SceneOverrides, BadOnesAreRefused) {
       {"film/spp=1", "--set film/spp: expected /json/pointer=VALUE"},
       {"=1", "--set : expected /json/pointer=VALUE"},
       {"/a~2=1", "--set /a~2: not a JSON pointer"},
-      {"/film/spp/x=1", "--set /film/spp/x: 'x' cannot be a member of number"},
+      {"/film/spp/x=1", "--set /film/spp/x: /film/spp is 9, expected an object or a list that has 'x'"},
       {"/lights/7=1", "--set /lights/7: '7' is beyond the end of the list; allowed: 0 to 3, or - to append"},
       {"/lights/4000000000=1", "--set /lights/4000000000: '4000000000' is not an index of a list"},
       {"/lights/-/x/999999999=1", "--set /lights/-/x/999999999: '999999999' is beyond the end of the list"},

@@ -87,6 +87,13 @@ TEST_F(Files, ResultsThatCannotBePrintedAreAFailure) {
   EXPECT_TRUE(fs::exists(folder_ / "b.png"));
 }
 
+TEST_F(Files, AreLeftAloneAfterASignalBeforeMain) {
+  const Outcome r = run("render a.json -o b.png", "LD_PRELOAD=" BRUME_EARLY_SIGNAL, "");
+  EXPECT_EQ(r.exit_code, 130);
+  EXPECT_THAT(r.err, testing::StartsWith("brume: interrupted"));
+  EXPECT_EQ(files(), std::set<std::string>{"a.json"});
+}
+
 TEST_F(Files, AreOfAKindByTheirEnding) {
   fs::copy(folder_ / "a.json", folder_ / "UPPER.JSON");
   EXPECT_EQ(run("render UPPER.JSON -o a.PNG --quiet").exit_code, 0);

@@ -14,8 +14,10 @@ namespace {
 
 // What the library says, on one line and without the file's name, which stands before it already.
 std::string reason(std::string said, const std::string& absolute) {
-  for (const std::string& name : {"\"" + absolute + "\"", "'" + absolute + "'", absolute})
-    for (std::size_t at; (at = said.find(name)) != std::string::npos;) said.replace(at, name.size(), "it");
+  const std::pair<std::string, std::string> changes[] = {
+      {" \"" + absolute + "\"", ""}, {" '" + absolute + "'", ""}, {absolute, "the file"}};
+  for (const auto& [name, instead] : changes)
+    for (std::size_t at; (at = said.find(name)) != std::string::npos;) said.replace(at, name.size(), instead);
   while (!said.empty() && static_cast<unsigned char>(said.back()) <= ' ') said.pop_back();
   return text_printable(said);
 }

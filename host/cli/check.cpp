@@ -55,6 +55,7 @@ nlohmann::ordered_json rows_json(const DeviceInfo& device, const std::vector<Che
 }
 
 int check_command(CheckArguments arguments) {
+  if (!arguments.json.empty()) AtomicFile probe(arguments.json);  // not after minutes
   const DeviceInfo device = device_choose(arguments.device);
   if (!arguments.lanes.empty()) arguments.options.lanes = arguments.lanes;
   Context context(device);
@@ -85,6 +86,7 @@ nlohmann::ordered_json stability_json(const DeviceInfo& device, const std::vecto
 }
 
 int stability_command(const CheckArguments& arguments) {
+  if (!arguments.json.empty()) AtomicFile probe(arguments.json);
   const DeviceInfo device = device_choose(arguments.device);
   Context context(device);
   std::printf("%s, %s, driver %s\n\n", device.title().c_str(), device.version.c_str(), device.driver.c_str());

@@ -94,6 +94,12 @@ TEST_F(Files, AreLeftAloneAfterASignalBeforeMain) {
   EXPECT_EQ(files(), std::set<std::string>{"a.json"});
 }
 
+TEST_F(Files, ThatCannotBeWrittenAreKnownBeforeTheWork) {
+  for (const char* command : {"check --json none/c.json", "check --stability --json none/c.json",
+                              "render a.json -o b.png --stats none/s.json"})
+    expect_refused(command, 1, "the folder 'none' does not exist");
+}
+
 TEST_F(Files, AreOfAKindByTheirEnding) {
   fs::copy(folder_ / "a.json", folder_ / "UPPER.JSON");
   EXPECT_EQ(run("render UPPER.JSON -o a.PNG --quiet").exit_code, 0);

@@ -6,6 +6,8 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "base/streams.hpp"
+#include "base/text_printable.hpp"
 #include "cli/command.hpp"
 #include "version.hpp"
 
@@ -15,6 +17,9 @@ int fail(const char* message, int code) {
   std::fprintf(stderr, "brume: %s\n", message);
   return code;
 }
+
+// On one line, whatever names and values it quotes.
+int fail_input(const std::string& message) { return fail(brume::text_printable(message).c_str(), 2); }
 
 int run(int argc, char** argv) {
   CLI::App app{"Renders smoke, fog, clouds and the surfaces around them on any OpenCL device."};
@@ -31,28 +36,38 @@ int run(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {
     if (argc < 2 || argv[1][0] == '-' || !app.get_subcommands().empty())
-      return fail((std::string(error.what()) + " (see brume --help)").c_str(), 2);
+      return fail_input(std::string(error.what()) + " (see brume --help)");
     std::string known;
     for (const CLI::App* one : app.get_subcommands([](CLI::App*) { return true; }))
       known += (known.empty() ? "" : ", ") + one->get_name();
-    return fail(("unknown command '" + std::string(argv[1]) + "'; known: " + known).c_str(), 2);
+    return fail_input("unknown command '" + std::string(argv[1]) + "'; known: " + known);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    return fail((std::string(error.what()) + " (see brume --help)").c_str(), 2);
+    return fail_input(std::string(error.what()) + " (see brume --help)");
   }
   return command();
 }
 
+// Before the shared libraries set themselves up, which takes longer than the rest of the way to main: they find all three streams open, and a
+// signal in that time is not lost.
+void early(int, char**, char**) {
+  brume::streams_open();
+  brume::interrupt_install();
+}
+[[gnu::section(".preinit_array"), gnu::used]] void (*const early_entry)(int, char**, char**) = early;
+
 }  // namespace
 
 int main(int argc, char** argv) {
-  brume::interrupt_install();
+  if (brume::interrupt_requested()) return fail("interrupted; nothing was begun", 130);
+  brume::interrupt_watch();
   try {
     const int code = run(argc, argv);
+    brume::stdout_flush();
     if (brume::interrupt_requested()) brume::interrupt_leave("interrupted when all was done");
     return code;
   } catch (const brume::InputError& error) {
-    return fail(error.what(), 2);
+    return fail_input(error.what());
   } catch (const brume::Interrupted& error) {
     brume::interrupt_leave(error.what());
   } catch (const std::bad_alloc&) {

@@ -64,10 +64,11 @@ void watch() {
 
 void interrupt_install() {
   sem_init(&first_signal, 0, 0);
-  std::thread(watch).detach();
   installed = true;
   interrupt_listen();
 }
+
+void interrupt_watch() { std::thread(watch).detach(); }
 
 void interrupt_listen() {
   if (!installed) return;  // in a test

@@ -10,7 +10,8 @@ namespace brume {
 inline constexpr double INTERRUPT_ECHO_S = 0.2;
 inline constexpr double INTERRUPT_GRACE_S = 0.5;  // after which the program is ended from outside
 
-void interrupt_install();  // once, from main
+void interrupt_install();  // once, before anything else: from here on signals are noted
+void interrupt_watch();    // once, from main: starts the thread that ends brume where nothing else answers
 void interrupt_listen();   // again, where a library may have taken the signals for itself
 bool interrupt_requested();
 void interrupt_check();  // throws Interrupted where it was requested

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/json_value.hpp"
+#include "base/text_printable.hpp"
 
 namespace brume {
 
@@ -45,19 +46,27 @@ std::string place_text(const char* begin, const char* reached) {
   return "line " + std::to_string(1 + std::count(begin, reached, '\n')) + ", column " + std::to_string(reached - line);
 }
 
-// "[json.exception...] parse error at line 3, column 7: cause" → "line 3, column 7: cause", short and in plain ASCII: the
-// parser quotes the text, which may be anything.
-std::string parse_message(const std::string& what, const std::string& place) {
+// The parser stops at the first byte that it does not expect and quotes it alone: the rest of its character is added.
+void complete_quote(std::string& text, const char* reached, const char* end) {
+  const auto at = text.find(reached[-1], text.find("last read: "));
+  if ((reached[-1] & 0xC0) != 0xC0 || at == std::string::npos) return;
+  const char* last = reached;
+  while (last < end && (*last & 0xC0) == 0x80) ++last;
+  text.insert(at + 1, reached, static_cast<std::size_t>(last - reached));
+}
+
+// "[json.exception...] parse error at line 3, column 7: cause" → "line 3, column 7: cause", short and printable: the parser
+// quotes the text, which may be anything.
+std::string parse_message(std::string what, const std::string& place, const char* reached, const char* end) {
+  complete_quote(what, reached, end);
   const auto at = what.find("at line ");
   const auto bracket = what.find("] ");
   std::string text = at != std::string::npos ? what.substr(at + 3) : place + ": " + what.substr(bracket + 2);
   // A number at the end of a line is only seen to end in the next one, whose column 0 is nobody's place.
   if (const auto zero = text.find(", column 0: "); zero != std::string::npos) text = place + text.substr(zero + 10);
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
   if (text.size() > MESSAGE_MAX)
     text = text.substr(0, MESSAGE_MAX / 2) + "..." + text.substr(text.size() - MESSAGE_MAX / 2);
-  return text;
+  return text_printable(text);
 }
 
 // Watches the parse: one set of keys per open object.
@@ -83,7 +92,7 @@ nlohmann::json json_parse(std::string_view text, const std::string& file) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     throw InputError(file + ": is empty, expected JSON text");
   if (text.find('\0') != std::string_view::npos)
-    throw InputError(file + ": holds zero bytes, expected JSON text in UTF-8");
+    throw InputError(file + ": is not a plain text file (binary or UTF-16), expected JSON text in UTF-8");
   const char* begin = text.data();
   const char* reached = begin;
   Watch watch;
@@ -97,7 +106,8 @@ nlohmann::json json_parse(std::string_view text, const std::string& file) {
   } catch (const InputError& error) {
     throw InputError(file + ": " + place_text(begin, reached) + ": " + error.what());
   } catch (const nlohmann::json::exception& error) {  // out_of_range for 1e400 too
-    throw InputError(file + ": " + parse_message(error.what(), place_text(begin, reached)));
+    throw InputError(file + ": " +
+                     parse_message(error.what(), place_text(begin, reached), reached, begin + text.size()));
   }
 }
 

@@ -35,6 +35,10 @@ std::string block_text(const Json& json, std::size_t indent, std::size_t column)
 
 }  // namespace
 
+std::string json_line(const Json& json, int indent) {
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
 std::string json_text(const Json& json) { return block_text(json, 0, LINE_MAX_LENGTH) + "\n"; }
 
 }  // namespace brume

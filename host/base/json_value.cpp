@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "base/text_printable.hpp"
 #include "base/typo.hpp"
 
 namespace brume {
@@ -66,10 +67,7 @@ JsonValue::JsonValue(const nlohmann::json& json, std::string file, std::string p
 
 // One line whatever the keys hold: control characters of the file do not reach the terminal.
 void JsonValue::fail(const std::string& cause) const {
-  std::string line = file_ + ": " + (place_.empty() ? "/" : place_) + ": " + cause;
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
-  throw InputError(line);
+  throw InputError(text_printable(file_ + ": " + (place_.empty() ? "/" : place_) + ": " + cause));
 }
 
 std::string JsonValue::got() const {
@@ -81,8 +79,11 @@ double JsonValue::as_number(const Range& range) const {
   const double v = json_->get<double>();
   const double most = range.hi_open ? FLOAT_MAX : std::max(FLOAT_MAX, range.hi);
   if (!(std::abs(v) <= most)) fail("expected a number of at most 3.4e38" + got());
-  if (!range.holds(v)) fail("expected a number" + range.text() + got());
-  return v;
+  if (range.holds(v)) return v;
+  const bool rounds =
+      (v > range.lo || !range.lo_open) && (v < range.hi || !range.hi_open) && v >= range.lo && v <= range.hi;
+  fail("expected a number" + range.text() + got() +
+       (rounds ? ", which is " + number_text(static_cast<float>(v)) + " in single precision" : ""));
 }
 
 int JsonValue::as_integer(int lo, int hi) const {

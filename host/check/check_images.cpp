@@ -22,7 +22,8 @@ CheckRow film_check(const std::string& name, int lanes, const Film& kernel, cons
     const float values[][2] = {{k.radiance.x / k.samples, r.radiance.x / r.samples},
                                {k.radiance.y / k.samples, r.radiance.y / r.samples},
                                {k.radiance.z / k.samples, r.radiance.z / r.samples},
-                               {k.transmittance.x / k.samples, r.transmittance.x / r.samples}};
+                               {k.transmittance.x / k.samples, r.transmittance.x / r.samples},
+                               {k.clear / k.samples, r.clear / r.samples}};
     bool agree = true;
     for (const auto& v : values) agree = agree && sum.agrees(v[0], v[1]);
     if (!agree && k.key != r.key) {

@@ -7,6 +7,7 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/streams.hpp"
 #include "check/check.hpp"
 #include "check/stability.hpp"
 #include "cli/command.hpp"
@@ -26,7 +27,7 @@ struct CheckArguments {
 void print_row(const CheckRow& row) {
   std::printf("%-4s %-34s %5d %8zu %6zu  %9.2e  %9.2e  %7.0e\n", row.passed() ? "ok" : "MISS", row.name.c_str(),
               row.lanes, row.items, row.edges, row.max_error, row.mean_error, row.allowed.limit);
-  std::fflush(stdout);
+  stdout_flush();
 }
 
 void print_reasons() {
@@ -54,6 +55,7 @@ nlohmann::ordered_json rows_json(const DeviceInfo& device, const std::vector<Che
 }
 
 int check_command(CheckArguments arguments) {
+  if (!arguments.json.empty()) AtomicFile probe(arguments.json);  // not after minutes
   const DeviceInfo device = device_choose(arguments.device);
   if (!arguments.lanes.empty()) arguments.options.lanes = arguments.lanes;
   Context context(device);
@@ -72,7 +74,7 @@ int check_command(CheckArguments arguments) {
 void print_stability(const StabilityRow& row) {
   std::printf("%-4s %-16s %-22s %5d  %s\n", row.holds ? "ok" : "FAIL", row.name.c_str(), row.method.c_str(), row.lanes,
               row.remark.c_str());
-  std::fflush(stdout);
+  stdout_flush();
 }
 
 nlohmann::ordered_json stability_json(const DeviceInfo& device, const std::vector<StabilityRow>& rows) {
@@ -84,6 +86,7 @@ nlohmann::ordered_json stability_json(const DeviceInfo& device, const std::vecto
 }
 
 int stability_command(const CheckArguments& arguments) {
+  if (!arguments.json.empty()) AtomicFile probe(arguments.json);
   const DeviceInfo device = device_choose(arguments.device);
   Context context(device);
   std::printf("%s, %s, driver %s\n\n", device.title().c_str(), device.version.c_str(), device.driver.c_str());

@@ -5,8 +5,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "base/error.hpp"
+#include "base/out_of_memory.hpp"
 #include "cli/command.hpp"
+#include "cli/output_files.hpp"
 #include "film/film_compare.hpp"
 
 namespace brume {
@@ -38,9 +39,14 @@ nlohmann::ordered_json compare_json(const CompareResult& r) {
 }
 
 int compare_run(const CompareArguments& arguments) {
+  output_files_check({{"-o", arguments.difference}}, {{"the image", arguments.a}, {"the reference", arguments.b}});
   if (!arguments.difference.empty()) image_check_writable(arguments.difference);
-  const Image a = image_read(arguments.a), b = image_read(arguments.b);
-  const CompareResult result = image_compare(a, b, arguments.layer);
+  const auto read = [](const std::filesystem::path& file) {
+    return with_memory(file.string(), [&] { return image_read(file); });
+  };
+  const Image a = read(arguments.a), b = read(arguments.b);
+  const CompareResult result =
+      with_memory(arguments.a.string() + ": comparing it", [&] { return image_compare(a, b, arguments.layer); });
   const nlohmann::ordered_json json = compare_json(result);
   if (arguments.json) {
     std::printf("%s\n", json.dump(2).c_str());

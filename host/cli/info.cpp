@@ -5,8 +5,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "base/error.hpp"
+#include "base/json_text.hpp"
+#include "base/out_of_memory.hpp"
+#include "base/text_printable.hpp"
 #include "cli/command.hpp"
+#include "cli/file_kind.hpp"
 #include "flat/flatten.hpp"
 #include "mesh/mesh.hpp"
 #include "scene/families.hpp"
@@ -118,35 +121,29 @@ Json info_scene(const Path& file) {
           {"notes", flat.notes}};
 }
 
-struct InfoRow {
-  const char* extension;
-  Json (*describe)(const Path&);
-};
-constexpr InfoRow INFO[] = {{".json", info_scene}, {".vdb", info_volume}, {".obj", info_mesh}};
+Json (*describer(FileKind kind))(const Path&) {
+  if (kind == FileKind::VOLUME) return info_volume;
+  return kind == FileKind::MESH ? info_mesh : info_scene;
+}
 
 // Nested objects as indented lines "key: value".
 void print_plain(const Json& json, int indent) {
   for (const auto& [key, value] : json.items()) {
     const bool nested = value.is_object() || (value.is_array() && !value.empty() && value[0].is_object());
-    const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+    const std::string text = value.is_string() ? text_printable(value.get<std::string>()) : json_line(value);
     std::printf("%*s%s:%s%s\n", indent, "", key.c_str(), nested ? "" : " ", nested ? "" : text.c_str());
     if (nested) print_plain(value, indent + 2);
   }
 }
 
 int info_run(const Path& file, bool json) {
-  std::string known;
-  for (const InfoRow& row : INFO) {
-    known += (known.empty() ? "" : ", ") + std::string(row.extension);
-    if (file.extension() != row.extension) continue;
-    const Json info = row.describe(file);
-    if (json)
-      std::printf("%s\n", info.dump(2).c_str());
-    else
-      print_plain(info, 0);
-    return 0;
-  }
-  throw InputError(file.string() + ": unknown kind of file '" + file.extension().string() + "'; known: " + known);
+  const auto describe = describer(file_kind(file));
+  const Json info = with_memory(file.string(), [&] { return describe(file); });
+  if (json)
+    std::printf("%s\n", json_line(info, 2).c_str());
+  else
+    print_plain(info, 0);
+  return 0;
 }
 
 }  // namespace

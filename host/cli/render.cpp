@@ -8,8 +8,12 @@
 #include "base/error.hpp"
 #include "base/foreign_lines.hpp"
 #include "base/interrupt.hpp"
+#include "base/out_of_memory.hpp"
 #include "base/stopwatch.hpp"
+#include "base/text_printable.hpp"
 #include "cli/command.hpp"
+#include "cli/file_kind.hpp"
+#include "cli/output_files.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_arguments.hpp"
 #include "cli/render_report.hpp"
@@ -25,11 +29,11 @@ namespace brume {
 namespace {
 
 void say(const RenderArguments& arguments, const std::string& text) {
-  if (!arguments.quiet) std::fprintf(stderr, "brume: %s\n", text.c_str());
+  if (!arguments.quiet) std::fprintf(stderr, "brume: %s\n", text_printable(text).c_str());
 }
 
 SceneDesc describe(const RenderArguments& arguments) {
-  if (!bare_scene_takes(arguments.scene)) return scene_read(arguments.scene, arguments.all_overrides());
+  if (file_kind(arguments.scene) == FileKind::SCENE) return scene_read(arguments.scene, arguments.all_overrides());
   std::string report;
   const SceneDesc bare = bare_scene(arguments.scene, report);
   say(arguments, report);
@@ -40,16 +44,43 @@ SceneDesc describe(const RenderArguments& arguments) {
   return desc;
 }
 
+std::string size_text(glm::ivec2 size) { return std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels"; }
+
+// Adds why `write` failed to `failures`, and goes on: what else is done is not lost.
+template <class Write>
+void attempt(std::string& failures, const std::filesystem::path& file, Write write) {
+  try {
+    with_memory(file.string(), write);
+  } catch (const RuntimeError& error) {
+    failures += (failures.empty() ? "" : "; ") + std::string(error.what());
+  }
+}
+
 void write_outputs(const RenderArguments& arguments, const SceneDesc& desc, const FlatScene& flat, const Film& film,
-                   const Context& context, const RenderStats& stats) {
+                   const Context& context, const RenderStats& stats, std::string& failures) {
   FilmWriteOptions options;
   options.exposure = desc.film.exposure;
   options.aovs = arguments.aovs();
+  options.alpha = arguments.alpha;
+  const Frame& frame = flat.frame;
+  const Film trimmed =
+      arguments.trim ? film.cut({frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1}) : Film({0, 0});
+  if (!arguments.trim) options.window = {frame.crop_x0, frame.crop_y0, frame.crop_x1, frame.crop_y1};
   options.metadata = render_metadata(desc, flat, context.device(), stats);
-  for (const std::filesystem::path& output : arguments.outputs) {
-    film_write(film, output, options);
-    std::printf("%s\n", output.string().c_str());
-  }
+  for (const std::filesystem::path& output : arguments.outputs)
+    attempt(failures, output, [&] {
+      film_write(arguments.trim ? trimmed : film, output, options);
+      std::printf("%s\n", output.string().c_str());
+    });
+}
+
+void check_outputs(const RenderArguments& arguments) {
+  std::vector<NamedFile> files;
+  for (const std::filesystem::path& output : arguments.outputs) files.push_back({"-o", output});
+  files.insert(files.end(), {{"--stats", arguments.stats}, {"--save-scene", arguments.save_scene}});
+  output_files_check(files, {{"the input", arguments.scene}});
+  for (const std::filesystem::path& output : arguments.outputs) image_check_writable(output);
+  if (!arguments.stats.empty()) AtomicFile(arguments.stats);
 }
 
 // With progress, until Ctrl-C; where the device does not answer that, what is done is written from outside.
@@ -77,15 +108,17 @@ int render_run(RenderArguments arguments) {
   Stopwatch total, lap;
   arguments.complete();
   if (arguments.quiet) notes_mute();
-  for (const std::filesystem::path& output : arguments.outputs) image_check_writable(output);
-  if (!arguments.stats.empty()) AtomicFile(arguments.stats);
-  const SceneDesc desc = describe(arguments);
+  check_outputs(arguments);
+  const std::string input = arguments.scene.string();
+  const SceneDesc desc = with_memory(input, [&] { return describe(arguments); });
   if (!arguments.save_scene.empty())
     atomic_write(arguments.save_scene, scene_write(desc, arguments.save_scene.parent_path()));
 
   const DeviceInfo device = device_choose(arguments.device);
   const int lanes = lanes_choose(device, arguments.lanes);
-  const FlatScene flat = flatten(desc, {bvh_width_for(lanes), arguments.crop_box()});
+  const FlatScene flat = with_memory(input, [&] {
+    return flatten(desc, {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha});
+  });
   std::vector<std::string> notes = flat.notes;
   for (const std::string& note : notes) say(arguments, "note: " + note);
   RunTimes times;
@@ -93,16 +126,19 @@ int render_run(RenderArguments arguments) {
 
   Context context(device);
   Renderer renderer(context, flat, {lanes, arguments.generic, 0});
-  Film film(desc.film.size);
+  Film film = with_memory("a film of " + size_text(desc.film.size), [&] { return Film(desc.film.size); });
   const auto write = [&] {
     const std::size_t told = notes.size();
     if (renderer.stats().dropped_rays > 0) notes.push_back(dropped_note(renderer.stats()));
     if (renderer.stats().invalid_samples > 0) notes.push_back(invalid_note(renderer.stats()));
     for (std::size_t i = told; i < notes.size(); ++i) say(arguments, "note: " + notes[i]);
-    write_outputs(arguments, desc, flat, film, context, renderer.stats());
+    std::string failures;
+    write_outputs(arguments, desc, flat, film, context, renderer.stats(), failures);
     times.total_s = total.seconds();
     if (!arguments.stats.empty())
-      atomic_write(arguments.stats, render_stats_json(desc, flat, device, renderer.stats(), times));
+      attempt(failures, arguments.stats,
+              [&] { atomic_write(arguments.stats, render_stats_json(desc, flat, device, renderer.stats(), times)); });
+    if (!failures.empty()) throw RuntimeError(failures);
   };
   const bool complete = render_film(arguments, renderer, film, write);
   write();

@@ -44,6 +44,8 @@ void RenderArguments::add_options(CLI::App& command) {
   command.add_option("--spp", spp, "Samples per pixel");
   command.add_option("--seed", seed, "Seed of the random numbers");
   command.add_option("--crop", crop, "Render only pixels X0,Y0 (inclusive) to X1,Y1 (exclusive)");
+  command.add_flag("--trim", trim, "With --crop: those pixels are the whole picture");
+  command.add_flag("--alpha", alpha, "Without the background, with a channel A (.exr: multiplied in; .png: not)");
   command.add_option("--exposure", exposure, "Stops for the display formats");
   command.add_option("--aov", aov, "Comma-separated planes for .exr: " + family_names(aov_family()));
   command.add_option("--device", device, "Index or part of the name of an OpenCL device (see brume devices)");
@@ -82,6 +84,7 @@ std::vector<std::string> RenderArguments::all_overrides() const {
 }
 
 std::array<int, 4> RenderArguments::crop_box() const {
+  if (crop.empty() && trim) throw InputError("--trim: expected together with --crop X0,Y0,X1,Y1");
   if (crop.empty()) return {};
   const auto box = integers<4>("--crop", crop, ',', "X0,Y0,X1,Y1");
   if (box[0] >= box[2] || box[1] >= box[3])

@@ -22,6 +22,7 @@ struct RenderArguments {
   std::optional<int> spp, seed;
   int lanes = 0;  // 0: the device's choice
   bool generic = false, quiet = false, strict = false;
+  bool trim = false, alpha = false;
   std::vector<std::string> overrides;
   std::filesystem::path stats, save_scene;
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "base/json_text.hpp"
 #include "scene/families.hpp"
 #include "shared/ray.h"
 #include "version.hpp"
@@ -49,7 +50,7 @@ std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, cons
       {"memory",
        {{"device_bytes", stats.device_bytes}, {"voxel_bytes", stats.voxel_bytes}, {"bvh_bytes", stats.bvh_bytes}}},
       {"error", {{"estimate", nullptr}, {"target", nullptr}}}};
-  return json.dump(2) + "\n";
+  return json_line(json, 2) + "\n";
 }
 
 ImageMetadata render_metadata(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,

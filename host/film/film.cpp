@@ -1,6 +1,7 @@
 // Sums to means: how each plane follows from a pixel's sums. One row per AOV; no files, no tone curve.
 #include "film/film.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -74,6 +75,23 @@ Plane Film::radiance() const {
   plane.values.reserve(pixels_.size() * 3);
   for (const FilmPixel& pixel : pixels_)
     for (float value : mean(pixel.radiance, pixel.samples)) plane.values.push_back(value);
+  return plane;
+}
+
+Film Film::cut(glm::ivec2 lo, glm::ivec2 hi) const {
+  Film part(hi - lo);
+  for (int y = lo.y; y < hi.y; ++y) {
+    const auto row = pixels_.begin() + std::ptrdiff_t(y) * size_.x;
+    std::copy(row + lo.x, row + hi.x, part.pixels_.begin() + std::ptrdiff_t(y - lo.y) * part.size_.x);
+  }
+  return part;
+}
+
+Plane Film::alpha() const {
+  Plane plane{"alpha", 1, {}};
+  plane.values.reserve(pixels_.size());
+  for (const FilmPixel& pixel : pixels_)
+    plane.values.push_back(pixel.samples > 0 ? std::fmax(1 - pixel.clear / pixel.samples, 0.0f) : 0.0f);
   return plane;
 }
 

@@ -30,8 +30,10 @@ class Film {
   glm::ivec2 size() const { return size_; }
   std::vector<FilmPixel>& pixels() { return pixels_; }
   const std::vector<FilmPixel>& pixels() const { return pixels_; }
+  Film cut(glm::ivec2 lo, glm::ivec2 hi) const;  // the pixels [lo, hi) as a film of their own
 
   Plane radiance() const;    // sums / samples; 0 where nothing was rendered
+  Plane alpha() const;       // 1 - transmittance to the background, mean of its channels; 0 where nothing was rendered
   Plane aov(Aov aov) const;  // see BRUME_AOVS; where nothing was rendered: depth inf, the others 0
 
  private:

@@ -18,8 +18,11 @@ std::vector<int> layer_channels(const Image& image, const std::string& layer) {
   for (int c = 0; c < image.channels; ++c)
     if (image.channel_names[std::size_t(c)].rfind(layer + ".", 0) == 0) channels.push_back(c);
   if (!channels.empty()) return channels;
+  constexpr std::size_t NAMES_MAX = 24;  // of the 1024 that a file may have
+  const std::size_t count = image.channel_names.size(), shown = std::min(count, NAMES_MAX);
   std::string names;
-  for (const std::string& name : image.channel_names) names += (names.empty() ? "" : ", ") + name;
+  for (std::size_t i = 0; i < shown; ++i) names += (i == 0 ? "" : ", ") + image.channel_names[i];
+  if (shown < count) names += " and " + std::to_string(count - shown) + " more";
   throw InputError(image.source + ": has no layer '" + layer + "'; channels: " + names);
 }
 

@@ -15,21 +15,41 @@ void add_channels(std::vector<ImageChannel>& channels, const Plane& plane, const
 void write_linear(const Film& film, const std::filesystem::path& file, const FilmWriteOptions& options) {
   std::vector<Plane> planes = {film.radiance()};
   for (Aov aov : options.aovs) planes.push_back(film.aov(aov));
+  if (options.alpha) planes.push_back(film.alpha());
   std::vector<ImageChannel> channels;
-  add_channels(channels, planes[0], {"R", "G", "B"});
+  add_channels(channels, planes.front(), {"R", "G", "B"});
+  if (options.alpha) add_channels(channels, planes.back(), {"A"});
   for (std::size_t i = 0; i < options.aovs.size(); ++i)
     add_channels(channels, planes[i + 1], aov_channel_names(options.aovs[i]));
   // With a prefix, because EXR gives plain names such as "version" and "type" a meaning of its own.
   ImageMetadata metadata;
   for (const auto& [key, value] : options.metadata) metadata.emplace_back("brume:" + key, value);
-  image_write_exr(file, film.size().x, film.size().y, channels, metadata);
+  image_write_exr(file, film.size().x, film.size().y, channels, metadata, options.window);
+}
+
+// Four display values per pixel. The curve is not linear: it is applied to the colour before alpha is multiplied in.
+std::vector<float> display_alpha(const std::vector<float>& radiance, const Plane& alpha,
+                                 const FilmWriteOptions& options) {
+  std::vector<float> rgba;
+  rgba.reserve(alpha.values.size() * 4);
+  for (std::size_t i = 0; i < alpha.values.size(); ++i) {
+    const float a = alpha.values[i];
+    for (std::size_t c = 0; c < 3; ++c)
+      rgba.push_back(film_display(a > 0 ? radiance[3 * i + c] / a : 0.0f, options.exposure));
+    rgba.push_back(a);
+  }
+  return rgba;
 }
 
 }  // namespace
 
 void film_write(const Film& film, const std::filesystem::path& file, const FilmWriteOptions& options) {
   if (image_format_of_output(file).output == ImageOutput::LINEAR) return write_linear(film, file, options);
-  image_write_display(file, film.size().x, film.size().y, film_display(film.radiance().values, options.exposure));
+  const std::vector<float> radiance = film.radiance().values;
+  if (options.alpha && image_format_of_output(file).alpha)
+    return image_write_display(file, film.size().x, film.size().y, display_alpha(radiance, film.alpha(), options),
+                               true);
+  image_write_display(file, film.size().x, film.size().y, film_display(radiance, options.exposure));
 }
 
 Image film_image(const Film& film) {

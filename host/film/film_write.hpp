@@ -12,9 +12,12 @@ struct FilmWriteOptions {
   double exposure = 0;     // stops, display formats only
   std::vector<Aov> aovs;   // linear formats only
   ImageMetadata metadata;  // linear formats only; stored as "brume:<key>"
+  bool alpha =
+      false;  // a channel A, for a film without background: multiplied in in .exr, not in .png, left out in .jpg
+  ImageWindow window{};  // of the pixels that were rendered: all that is stored, in linear formats
 };
 
-// The extension decides: linear radiance R, G, B and layers such as "normal.X", or display values. Errors: those of
+// The extension decides: linear radiance R, G, B, A and layers such as "normal.X", or display values. Errors: those of
 // image_write_exr and image_write_display. To fail before the rendering, call image_check_writable first.
 void film_write(const Film& film, const std::filesystem::path& file, const FilmWriteOptions& options);
 

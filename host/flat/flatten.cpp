@@ -73,6 +73,7 @@ FlatScene flatten(const SceneDesc& desc, const FlattenOptions& options) {
   flatten_media(desc, media, scene);
   crop_set(scene.frame, options.crop, desc.film.size);
   work_check(desc, scene);
+  scene.frame.hides_background = options.hide_background;
   return scene;
 }
 

@@ -10,6 +10,7 @@ namespace brume {
 struct FlattenOptions {
   int bvh_width = 4;                    // a multiple of the lanes that will traverse it
   std::array<int, 4> crop{0, 0, 0, 0};  // x0, y0, x1, y1 in pixels; empty: the whole film
+  bool hide_background = false;         // from the camera; mirrors and glass go on seeing it
 };
 
 // Throws InputError naming the place in the scene (or the file behind it) for whatever cannot be rendered.

@@ -29,8 +29,9 @@ class TextureTable {
     if (known != images_.end()) return known->second;
     const Image image = image_read_texture(file);
     if (image.cleaned > 0)
-      scene_.notes.push_back(file.string() + ": " + std::to_string(image.cleaned) +
-                             " texels that were NaN, infinite or negative are 0");
+      scene_.notes.push_back(file.string() + ": " + std::to_string(image.cleaned) + " of " +
+                             std::to_string(image.values.size() / 3) +
+                             " texels had channels that were NaN, infinite or negative; these are 0");
     Texture t{};
     t.type = TEXTURE_IMAGE;
     t.width = image.width;

@@ -117,8 +117,9 @@ void light_grids_append(const SceneDesc& desc, Medium& medium, FlatScene& scene)
     constexpr std::int64_t ENTRIES_MAX = 0x7fffffff / 3;  // kernels count all channels in an int
     if (scene.light_entries > ENTRIES_MAX)
       throw InputError(desc.file.string() + ": /render/light_grid: " + std::to_string(desc.render.light_grid) +
-                       " makes over " + std::to_string(ENTRIES_MAX) +
-                       " entries over all media and lights, more than are allowed");
+                       " makes " + std::to_string(scene.light_entries) +
+                       " entries or more over all media and lights; at most " + std::to_string(ENTRIES_MAX) +
+                       " are allowed");
     scene.light_grids.push_back(grid);
   }
 }

@@ -15,12 +15,14 @@ struct Image {
   std::vector<float> values;
   std::vector<std::string> channel_names;
   bool from_integers = false;  // the file stores integers: display values, not radiance
-  std::size_t cleaned = 0;     // values that were NaN, infinite or negative and became 0 (image_read_texture only)
-  std::string source;          // the file, for messages
+  std::size_t cleaned =
+      0;  // texels with a channel that was NaN, infinite or negative and became 0 (image_read_texture only)
+  std::string source;  // the file, for messages
 };
 
 // Reading. Formats are told by content (see image_format.hpp), not by extension; of a multi-part file the first part is
-// read, of a mip-mapped one the finest level; the Exif orientation is not applied.
+// read, of a mip-mapped one the finest level; the Exif orientation is not applied. An OpenEXR file is its display window: 0 where nothing
+// is stored, without what is stored beyond it.
 //
 // The library runs in a program of its own, brume-image (image_program.hpp): some damaged files kill it from within (abort, stack
 // overflow). One thread at a time.
@@ -55,12 +57,22 @@ struct ImageChannel {
 };
 using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 
-// 32-bit float OpenEXR, zip compression, string attributes. Channel names with a dot are layers ("normal.X").
-void image_write_exr(const std::filesystem::path& file, int width, int height,
-                     const std::vector<ImageChannel>& channels, const ImageMetadata& metadata);
+// The pixels [x0, x1) x [y0, y1) of a picture; all 0: the whole of it.
+struct ImageWindow {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  int width() const { return x1 - x0; }
+  int height() const { return y1 - y0; }
+};
 
-// 8-bit PNG or JPEG (quality 95, no chroma subsampling) from 3 display values in [0,1] per pixel; NaN is written as 0.
-void image_write_display(const std::filesystem::path& file, int width, int height, const std::vector<float>& rgb);
+// 32-bit float OpenEXR, zip compression, string attributes. Channel names with a dot are layers ("normal.X"). Stored are the
+// pixels of `window`, OpenEXR's data window, of a picture of that width and height.
+void image_write_exr(const std::filesystem::path& file, int width, int height,
+                     const std::vector<ImageChannel>& channels, const ImageMetadata& metadata, ImageWindow window = {});
+
+// 8-bit PNG or JPEG (quality 95, no chroma subsampling) from 3 display values in [0,1] per pixel; NaN is written as 0. With `alpha` 4 values,
+// the last one alpha, not multiplied into the others: PNG only.
+void image_write_display(const std::filesystem::path& file, int width, int height, const std::vector<float>& values,
+                         bool alpha = false);
 
 // To be called BEFORE a long rendering: throws what writing to that path would throw for its extension, folder or
 // target, and has the image library loaded meanwhile.

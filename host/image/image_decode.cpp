@@ -4,6 +4,7 @@
 #include <csignal>
 
 #include "base/error.hpp"
+#include "base/text_printable.hpp"
 #include "image/image_format.hpp"
 #include "image/image_program.hpp"
 
@@ -11,17 +12,20 @@ namespace brume {
 
 namespace {
 
-// Messages are one line, whatever the library says.
-std::string one_line(std::string text) {
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  return text.substr(0, text.find_last_not_of(' ') + 1);
+// What the library says, on one line and without the file's name, which stands before it already.
+std::string reason(std::string said, const std::string& absolute) {
+  const std::pair<std::string, std::string> changes[] = {
+      {" \"" + absolute + "\"", ""}, {" '" + absolute + "'", ""}, {absolute, "the file"}};
+  for (const auto& [name, instead] : changes)
+    for (std::size_t at; (at = said.find(name)) != std::string::npos;) said.replace(at, name.size(), instead);
+  while (!said.empty() && static_cast<unsigned char>(said.back()) <= ' ') said.pop_back();
+  return text_printable(said);
 }
 
-[[noreturn]] void fail_dead(const std::string& file) {
-  const std::string how = ImageProgram::reader().stop();
+[[noreturn]] void fail_dead(const std::string& file, const std::string& how) {
   if (how == "signal " + std::to_string(SIGALRM))
     throw InputError(file + ": is not read within " + std::to_string(IMAGE_READ_SECONDS) + " s");
+  if (ImageProgram::killed(how)) throw RuntimeError(file + ": cannot be read: brume-image was ended by " + how);
   throw InputError(file + ": the file makes the image library crash (" + (how.empty() ? "no result" : how) + ")");
 }
 
@@ -30,27 +34,35 @@ std::string one_line(std::string text) {
   throw InputError(message);
 }
 
+// False where the program died.
+bool decode(const std::string& name, const std::vector<std::string>& texts, DecodedImage& decoded) {
+  ImageProgram& program = ImageProgram::reader();
+  ImageAnswer answer{};
+  std::vector<std::string> said;
+  if (!program.ask({0, ImageAction::READ, 0, 0, 0, Samples::FLOATING, 0, 0, 0, 0, 0, 0}, texts, nullptr, answer, said))
+    return false;
+  if (answer.width == 0) fail(name + ": cannot be read: " + (said.empty() ? "" : reason(said[0], texts[1])));
+  const std::string problem = image_size_problem(answer.width, answer.height, answer.channels);
+  if (!problem.empty()) fail(name + ": " + problem);
+  decoded = {{answer.width, answer.height, answer.channels, {}, said, false, 0, name}, answer.samples};
+  decoded.image.from_integers = answer.samples != Samples::FLOATING;
+  decoded.image.channel_names.resize(std::size_t(answer.channels));
+  std::vector<float>& values = decoded.image.values;
+  values.resize(std::size_t(answer.width) * std::size_t(answer.height) * std::size_t(answer.channels));
+  return program.receive(values.data(), values.size() * sizeof(float));
+}
+
 }  // namespace
 
 DecodedImage image_decode(const std::filesystem::path& file) {
-  const ImageFormat& format = image_format_of_content(file);
-  ImageProgram& program = ImageProgram::reader();
-  const std::string name = file.string(), absolute = std::filesystem::absolute(file).string();
-  ImageAnswer answer{};
-  std::vector<std::string> said;
-  if (!program.ask({0, ImageAction::READ, 0, 0, 0, Samples::FLOATING, 0, 0}, {std::string(format.plugin), absolute},
-                   nullptr, answer, said))
-    fail_dead(name);
-  if (answer.width == 0) fail(name + ": cannot be read: " + (said.empty() ? "" : one_line(said[0])));
-  const std::string problem = image_size_problem(answer.width, answer.height, answer.channels);
-  if (!problem.empty()) fail(name + ": " + problem);
-  DecodedImage decoded{{answer.width, answer.height, answer.channels, {}, said, false, 0, name}, answer.samples};
-  decoded.image.from_integers = answer.samples != Samples::FLOATING;
-  std::vector<float>& values = decoded.image.values;
-  values.resize(std::size_t(answer.width) * std::size_t(answer.height) * std::size_t(answer.channels));
-  if (!program.receive(values.data(), values.size() * sizeof(float))) fail_dead(name);
-  decoded.image.channel_names.resize(std::size_t(answer.channels));
-  return decoded;
+  const std::vector<std::string> texts = {std::string(image_format_of_content(file).plugin),
+                                          std::filesystem::absolute(file).string()};
+  DecodedImage decoded{};
+  for (int attempt = 0;; ++attempt) {  // a program that was killed from outside is started once more
+    if (decode(file.string(), texts, decoded)) return decoded;
+    const std::string how = ImageProgram::reader().stop();
+    if (attempt > 0 || !ImageProgram::killed(how)) fail_dead(file.string(), how);
+  }
 }
 
 }  // namespace brume

@@ -15,6 +15,7 @@ struct ImageFormat {
   std::vector<std::string_view> extensions;  // lower case, with the dot
   std::vector<std::string_view> magics;      // what a file of this format begins with
   ImageOutput output;
+  bool alpha;  // it can hold one
 };
 const std::vector<ImageFormat>& image_formats();
 

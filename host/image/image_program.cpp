@@ -113,4 +113,10 @@ std::string ImageProgram::stop() {
   return WEXITSTATUS(status) == 0 ? "" : "exit code " + std::to_string(WEXITSTATUS(status));
 }
 
+bool ImageProgram::killed(const std::string& how) {
+  for (int signal : {SIGKILL, SIGTERM, SIGINT, SIGHUP, SIGQUIT})
+    if (how == "signal " + std::to_string(signal)) return true;
+  return false;
+}
+
 }  // namespace brume

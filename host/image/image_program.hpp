@@ -27,6 +27,8 @@ class ImageProgram {
   bool receive(void* data, std::size_t bytes) { return socket_receive(socket_, data, bytes); }
   // Ends it: "" if it ended well, else "signal 6" or "exit code 1".
   std::string stop();
+  // Of what stop() says: somebody else ended it (kill, the system for want of memory), not a file that it read.
+  static bool killed(const std::string& how);
 
  private:
   ImageProgram() = default;

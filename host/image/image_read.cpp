@@ -34,12 +34,18 @@ void decode_integers(std::vector<float>& values, int max_code) {
     value = table[std::size_t(std::clamp(std::lround(value * float(max_code)), 0L, long(max_code)))];
 }
 
+// Of texels with three channels: how many had one that is no radiance.
 std::size_t clean(std::vector<float>& values) {
   std::size_t cleaned = 0;
-  for (float& value : values) {
-    if (std::isfinite(value) && value >= 0) continue;
-    value = 0;
-    ++cleaned;
+  for (std::size_t texel = 0; texel + 2 < values.size(); texel += 3) {
+    bool bad = false;
+    for (std::size_t c = 0; c < 3; ++c) {
+      float& value = values[texel + c];
+      if (std::isfinite(value) && value >= 0) continue;
+      value = 0;
+      bad = true;
+    }
+    cleaned += bad;
   }
   return cleaned;
 }

@@ -1,4 +1,4 @@
-// Images out: EXR with layers, PNG and JPEG. Temporaries end in the target's extension because the library goes by it.
+// Images out: EXR with layers, PNG and JPEG. They are encoded in memory by brume-image and written here.
 #include <cmath>
 #include <cstdint>
 
@@ -13,19 +13,31 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// The bytes of the file. A program that dies is started once more: it may have been killed from outside, and a finished picture is not to be
+// lost for that.
+std::string encode(const fs::path& file, const ImageRequest& request, const std::vector<std::string>& texts,
+                   const void* values) {
+  ImageProgram& program = ImageProgram::writer();
+  std::string how;
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    ImageAnswer answer{};
+    std::vector<std::string> said;
+    if (program.ask(request, texts, values, answer, said)) {
+      if (answer.width == 0) throw RuntimeError(file.string() + ": cannot be written: " + said.at(0));
+      std::string bytes(answer.value_bytes, '\0');
+      if (program.receive(bytes.data(), bytes.size())) return bytes;
+    }
+    how = program.stop();
+  }
+  throw RuntimeError(file.string() + ": cannot be written: the image library crashed (" + how + ")");
+}
+
 void write(const fs::path& file, const ImageFormat& format, const ImageRequest& request,
            const std::vector<std::string>& channels, const ImageMetadata& attributes, const void* values) {
-  AtomicFile atomic(file, format.extensions.front());
-  std::vector<std::string> texts{std::string(format.plugin), fs::absolute(atomic.temporary()).string()};
+  std::vector<std::string> texts{std::string(format.plugin)};
   texts.insert(texts.end(), channels.begin(), channels.end());
   for (const auto& [key, value] : attributes) texts.insert(texts.end(), {key, value});
-  ImageAnswer answer{};
-  std::vector<std::string> said;
-  ImageProgram& program = ImageProgram::writer();
-  if (program.ask(request, texts, values, answer, said) && answer.width > 0) return atomic.commit();
-  const std::string how = program.stop();
-  throw RuntimeError(file.string() +
-                     ": cannot be written: " + (said.empty() ? "the image library crashed (" + how + ")" : said[0]));
+  atomic_write(file, encode(file, request, texts, values));
 }
 
 void check_output(const fs::path& file, const ImageFormat& format, ImageOutput wanted) {
@@ -42,37 +54,47 @@ std::uint8_t quantise(float display) {
 }  // namespace
 
 void image_write_exr(const fs::path& file, int width, int height, const std::vector<ImageChannel>& channels,
-                     const ImageMetadata& metadata) {
+                     const ImageMetadata& metadata, ImageWindow window) {
   const ImageFormat& format = image_format_of_output(file);
   check_output(file, format, ImageOutput::LINEAR);
-  const std::size_t count = channels.size(), pixels = std::size_t(width) * std::size_t(height);
+  if (window.width() <= 0) window = {0, 0, width, height};
+  const std::size_t count = channels.size();
   std::vector<std::string> names;
   names.reserve(count);
   for (const ImageChannel& channel : channels) names.push_back(channel.name);
   ImageMetadata attributes{{"compression", "zip:1"}};
   attributes.insert(attributes.end(), metadata.begin(), metadata.end());
-  std::vector<float> values(pixels * count);
-  for (std::size_t c = 0; c < count; ++c)
-    for (std::size_t i = 0; i < pixels; ++i) values[i * count + c] = channels[c].values[i * channels[c].stride];
+  std::vector<float> values;
+  values.reserve(std::size_t(window.width()) * std::size_t(window.height()) * count);
+  for (int y = window.y0; y < window.y1; ++y)
+    for (int x = window.x0; x < window.x1; ++x)
+      for (const ImageChannel& channel : channels)
+        values.push_back(channel.values[(std::size_t(y) * std::size_t(width) + std::size_t(x)) * channel.stride]);
   write(file, format,
-        {0, ImageAction::WRITE, width, height, static_cast<int>(count), Samples::FLOATING, 0,
-         values.size() * sizeof(float)},
+        {0, ImageAction::WRITE, window.width(), window.height(), static_cast<int>(count), Samples::FLOATING, 0,
+         values.size() * sizeof(float), window.x0, window.y0, width, height},
         names, attributes, values.data());
 }
 
-void image_write_display(const fs::path& file, int width, int height, const std::vector<float>& rgb) {
+void image_write_display(const fs::path& file, int width, int height, const std::vector<float>& values, bool alpha) {
   const ImageFormat& format = image_format_of_output(file);
   check_output(file, format, ImageOutput::DISPLAY);
-  const ImageMetadata attributes{{"Compression", "jpeg:95"}, {"jpeg:subsampling", "4:4:4"}};  // PNG does not read them
-  std::vector<std::uint8_t> codes(rgb.size());
-  for (std::size_t i = 0; i < rgb.size(); ++i) codes[i] = quantise(rgb[i]);
-  write(file, format, {0, ImageAction::WRITE, width, height, 3, Samples::UINT8, 0, codes.size()}, {"R", "G", "B"},
-        attributes, codes.data());
+  // PNG reads the last one only, JPEG the others.
+  const ImageMetadata attributes{
+      {"Compression", "jpeg:95"}, {"jpeg:subsampling", "4:4:4"}, {"oiio:UnassociatedAlpha", "1"}};
+  std::vector<std::uint8_t> codes(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) codes[i] = quantise(values[i]);
+  std::vector<std::string> names{"R", "G", "B"};
+  if (alpha) names.push_back("A");
+  write(file, format,
+        {0, ImageAction::WRITE, width, height, static_cast<int>(names.size()), Samples::UINT8, 0, codes.size(), 0, 0,
+         width, height},
+        names, attributes, codes.data());
 }
 
 void image_check_writable(const fs::path& file) {
-  const ImageFormat& format = image_format_of_output(file);
-  AtomicFile probe(file, format.extensions.front());
+  image_format_of_output(file);
+  AtomicFile probe(file);
   ImageProgram::writer().start();
 }
 

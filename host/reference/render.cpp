@@ -58,6 +58,7 @@ void pixel_add(PixelD& sum, const PixelD& sample) {
   sum.samples += sample.samples;
   sum.depth += sample.depth;
   sum.hits += sample.hits;
+  sum.clear += sample.clear;
   sum.lookups += sample.lookups;
   sum.dropped_rays += sample.dropped_rays;
   sum.dropped_weight += sample.dropped_weight;
@@ -79,6 +80,7 @@ FilmPixel film_pixel(const PixelD& p) {
   pixel.dropped_rays = static_cast<float>(p.dropped_rays);
   pixel.dropped_weight = static_cast<float>(p.dropped_weight);
   pixel.invalid = static_cast<float>(p.invalid);
+  pixel.clear = static_cast<float>(p.clear);
   return pixel;
 }
 
@@ -151,7 +153,9 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
   sample.transmittance = transmittance_of(media.tau);
   sample.lookups = media.lookups;
   if (hit.primitive == PRIMITIVE_NONE) {
-    sample.radiance = media.radiance + sample.transmittance * vec_promote(scene.frame.background);
+    sample.clear = (sample.transmittance.x + sample.transmittance.y + sample.transmittance.z) / 3;
+    const bool hidden = scene.frame.hides_background && path.depth == 0;
+    sample.radiance = media.radiance + (hidden ? dvec3(0) : sample.transmittance * vec_promote(scene.frame.background));
     sample.key = sample_key(hit.primitive, 0, walked(context, media.shadow_key, sample.lookups), 0) *
                  static_cast<uint>(2 * path.depth + 1);
     return sample;

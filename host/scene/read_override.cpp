@@ -22,11 +22,19 @@ std::vector<std::string> pointer_tokens(const std::string& text) {
   return tokens;
 }
 
-// One step down. Unlike json::operator[] it never fills a list up to a far index.
-nlohmann::json& json_descend(nlohmann::json& at, const std::string& token) {
+// A value in a message, on one line and short.
+std::string value_text(const nlohmann::json& value) {
+  const std::string text = value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return text.size() <= 40 ? text : std::string("a ") + value.type_name();
+}
+
+// One step down from what stands at `place`. Unlike json::operator[] it never fills a list up to a far index.
+nlohmann::json& json_descend(nlohmann::json& at, const std::string& place, const std::string& token) {
   if (at.is_null()) at = is_index(token) ? nlohmann::json::array() : nlohmann::json::object();
   if (at.is_object()) return at[token];
-  if (!at.is_array()) throw InputError(text_quote(token) + " cannot be a member of " + at.type_name());
+  if (!at.is_array())
+    throw InputError((place.empty() ? "the scene" : place) + " is " + value_text(at) +
+                     ", expected an object or a list that has " + text_quote(token));
   const std::string allowed = "; allowed: 0 to " + std::to_string(at.size()) + ", or - to append";
   if (!is_index(token)) throw InputError(text_quote(token) + " is not an index of a list" + allowed);
   const std::size_t index = token == "-" ? at.size() : std::stoul(token);
@@ -53,7 +61,11 @@ void apply_override(nlohmann::json& scene, const std::string& text) {
     throw InputError(place + "expected /json/pointer=VALUE, e.g. /film/spp=16");
   try {
     nlohmann::json* at = &scene;
-    for (const std::string& token : pointer_tokens(pointer)) at = &json_descend(*at, token);
+    std::string reached;
+    for (const std::string& token : pointer_tokens(pointer)) {
+      at = &json_descend(*at, reached, token);
+      reached += "/" + token;
+    }
     *at = override_value(text.substr(equals + 1));
   } catch (const InputError& error) {
     throw InputError(place + error.what());

@@ -15,7 +15,7 @@ static inline FilmPixel pixel_empty(void) {
   FilmPixel p;
   p.radiance = p.normal = p.transmittance = vec_pack((float3)(0.0f));
   p.dropped_rays = p.dropped_weight = 0.0f;
-  p.samples = p.depth = p.hits = p.lookups = p.shadow_rays = p.secondary_rays = p.invalid = 0.0f;
+  p.samples = p.depth = p.hits = p.lookups = p.shadow_rays = p.secondary_rays = p.invalid = p.clear = 0.0f;
   p.key = 0;
   return p;
 }
@@ -55,6 +55,9 @@ __kernel void accumulate(uint first_pixel, uint pixels, uint first_sample, uint 
     if (hits[item].primitive != PRIMITIVE_NONE) {
       sum.depth += sample.depth;
       sum.hits += 1.0f;
+    } else {
+      const float3 clear = vec_unpack(results[item].transmittance);
+      sum.clear += (clear.x + clear.y + clear.z) / 3.0f;
     }
   }
   film[first_pixel + pixel] = sum;

@@ -8,7 +8,7 @@ __kernel void shade(SCENE_ARGS, uint count, __global const Ray* rays, __global c
   if (item >= count) return;
   const Scene scene = SCENE_PACK;
   const MediumResult medium = results[item];
-  float3 behind = vec_unpack(frame->background);
+  float3 behind = frame->hides_background ? (float3)(0.0f) : vec_unpack(frame->background);
   float3 normal = (float3)(0.0f);
   float depth = 0.0f;
   uint lit = 0, second = 0, walked = medium.shadow_key;

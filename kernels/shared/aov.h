@@ -38,7 +38,9 @@ typedef struct {
   float dropped_weight;
   float
       invalid;  // samples left out of all sums above but the counts of rays: their radiance was no number or above SAMPLE_MAX
+  float
+      clear;  // transmittance, its three channels' mean, over the samples that hit nothing: how much of the background is seen
 } FilmPixel;
-BRUME_LAYOUT(FilmPixel, 76);
+BRUME_LAYOUT(FilmPixel, 80);
 BRUME_SHARED_END
 #endif

@@ -259,4 +259,16 @@ TEST_F(FilmTest, AgreesWithOiiotool) {
   EXPECT_EQ(result.max_y, y);
 }
 
+TEST(FilmCompare, AMissingLayerNamesSomeOfThoseThatThereAre) {
+  std::vector<std::string> names;
+  for (int i = 0; i < 1000; ++i) names.push_back("layer" + std::to_string(i) + ".X");
+  const Image image = image_of(1, std::vector<float>(1000), names);
+  try {
+    image_compare(image, image, "none");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::EndsWith(", layer22.X, layer23.X and 976 more"));
+  }
+}
+
 }  // namespace

@@ -1,72 +1,10 @@
-// Image files: what is read and how it is decoded, what is refused and how, what is written and what is left behind.
-#include <OpenImageIO/imageio.h>
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <sys/resource.h>
-#include <unistd.h>
-
+// Image files: what is read and how it is decoded.
 #include <cmath>
-#include <csignal>
-#include <cstdlib>
-#include <fstream>
 
-#include "base/error.hpp"
-#include "image/image.hpp"
-#include "image/image_decode.hpp"
-#include "image/image_format.hpp"
-#include "image/image_program.hpp"
+#include "image_fixture.hpp"
 
-namespace fs = std::filesystem;
-using namespace brume;
-using testing::HasSubstr;
-
+namespace brume::test {
 namespace {
-
-fs::path data_path(const std::string& name) {
-  const char* set = std::getenv("BRUME_TEST_DATA");
-  return fs::path(set ? set : BRUME_SOURCE_DIR "/../shared/data") / name;
-}
-
-#define NEED_DATA(path) \
-  if (!fs::exists(path)) GTEST_SKIP() << "absent: " << path
-
-// A folder of its own for every test, removed at the end.
-class ImageTest : public testing::Test {
- protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_)) names.push_back(entry.path().filename().string());
-    return names;
-  }
-  template <class T>
-  fs::path write(const std::string& name, int width, int channels, const OIIO::TypeDesc& type,
-                 const std::vector<T>& values, const std::string& key = "", const std::string& value = "") {
-    const fs::path file = folder_ / name;
-    OIIO::ImageSpec spec(width, static_cast<int>(values.size()) / width / channels, channels, type);
-    if (!key.empty()) spec.attribute(key, value);
-    auto out = OIIO::ImageOutput::create(file.string());
-    EXPECT_TRUE(out && out->open(file.string(), spec) && out->write_image(type, values.data()) && out->close());
-    return file;
-  }
-  fs::path folder_ = fs::temp_directory_path() / ("brume-image-" + std::to_string(::getpid()));
-};
-
-template <class Error, class F>
-std::string message_of(F f) {
-  try {
-    f();
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing was thrown";
-}
-
-std::string refusal(const fs::path& file) {
-  return message_of<InputError>([&] { image_read_texture(file); });
-}
 
 TEST(SrgbDecode, KnownValuesAndContinuity) {
   EXPECT_EQ(srgb_decode(0), 0);
@@ -131,54 +69,52 @@ TEST_F(ImageTest, OtherIntegersAreNoTexture) {
   EXPECT_NEAR(image_read(file).values[0], 0.5, 1e-6);
 }
 
-TEST_F(ImageTest, SizesAreRefusedBeforeReading) {
-  std::ofstream(folder_ / "wide.hdr") << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 16385\n";
-  EXPECT_THAT(refusal(folder_ / "wide.hdr"), HasSubstr("16385 x 1 with 3 channels"));
-  std::ofstream(folder_ / "big.hdr") << "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 16000 +X 16000\n";
-  EXPECT_THAT(refusal(folder_ / "big.hdr"), HasSubstr("1024 MB"));
+// One value per pixel, x + 10 y in coordinates of the display window; data window [x0, x1) x [y0, y1) of a picture of 4 x 3.
+fs::path write_window(const fs::path& file, int x0, int y0, int x1, int y1, int tile = 0, int origin = 0) {
+  OIIO::ImageSpec spec(x1 - x0, y1 - y0, 1, OIIO::TypeDesc::FLOAT);
+  spec.x = x0 + origin, spec.y = y0 + origin, spec.full_x = spec.full_y = origin;
+  spec.full_width = 4, spec.full_height = 3;
+  spec.tile_width = spec.tile_height = tile;
+  std::vector<float> values;
+  for (int y = y0; y < y1; ++y)
+    for (int x = x0; x < x1; ++x) values.push_back(float(x + 10 * y));
+  auto out = OIIO::ImageOutput::create(file.string());
+  EXPECT_TRUE(out && out->open(file.string(), spec) && out->write_image(OIIO::TypeDesc::FLOAT, values.data()) &&
+              out->close());
+  return file;
 }
 
-TEST(ImageDamaged, EveryFileEndsInAnErrorOrAnImage) {
-  const fs::path folder = data_path("damaged");
-  NEED_DATA(folder);
-  int files = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (!entry.is_regular_file()) continue;
-    ++files;
-    try {
-      const Image image = image_read_texture(entry.path());
-      for (float value : image.values) ASSERT_TRUE(std::isfinite(value) && value >= 0) << entry.path();
-      EXPECT_EQ(image.values.size(), std::size_t(image.width) * std::size_t(image.height) * 3);
-    } catch (const InputError& error) {
-      EXPECT_EQ(std::string(error.what()).rfind(entry.path().string() + ": ", 0), 0u) << error.what();
-      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+TEST_F(ImageTest, TheDisplayWindowOfAnExrIsThePicture) {
+  const int windows[][4] = {{0, 0, 4, 3}, {-2, -1, 7, 5}, {1, 1, 3, 2}, {-1, 2, 2, 9}, {3, -4, 5, 1}, {9, 9, 12, 11}};
+  for (const auto& w : windows)
+    for (const auto& [tile, origin] : {std::pair(0, 0), std::pair(16, 0), std::pair(0, 100), std::pair(0, -7)}) {
+      const Image image = image_read(write_window(folder_ / "a.exr", w[0], w[1], w[2], w[3], tile, origin));
+      ASSERT_EQ(image.width, 4);
+      ASSERT_EQ(image.height, 3);
+      for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 4; ++x) {
+          const bool stored = x >= w[0] && x < w[2] && y >= w[1] && y < w[3];
+          EXPECT_EQ(image.values[std::size_t(y * 4 + x)], stored ? float(x + 10 * y) : 0.0f)
+              << w[0] << " " << w[1] << " " << tile << " " << origin << ": " << x << " " << y;
+        }
     }
-  }
-  EXPECT_GT(files, 30);
 }
 
-// Endless recursion: crashes everywhere. (corrupt-icc-4552.jpg reads out of bounds: abort or segfault, by chance.)
-TEST(ImageDamaged, ACrashOfTheLibraryIsAnError) {
-  const fs::path file = data_path("damaged/oiio/xmp-deep-nesting.png");
-  NEED_DATA(file);
-  EXPECT_THAT(refusal(file), HasSubstr("makes the image library crash ("));
-}
-
-TEST(ImageDamaged, BombsTakeLittleMemoryAndSaySizeAndLimit) {
-  GTEST_FLAG_SET(death_test_style, "threadsafe");  // a fresh process, not a copy of this one and its memory
-  for (const char* name : {"bomb-40000.hdr", "bomb-65500x65500.jpg", "bomb.png", "bomb.exr", "bomb-65535.bmp"}) {
-    const fs::path file = data_path("damaged/oiio") / name;
-    NEED_DATA(file);
-    const auto read_and_exit = [&] {  // in a process of its own, whose children are only those of this read
-      const std::string message = refusal(file);
-      rusage used{};
-      ::getrusage(RUSAGE_CHILDREN, &used);
-      std::fputs(message.c_str(), stderr);
-      ::_exit(used.ru_maxrss < 500 * 1024 ? 0 : 1);
-    };
-    const bool sized = std::string(name) != "bomb.exr" && std::string(name) != "bomb-65535.bmp";
-    EXPECT_EXIT(read_and_exit(), testing::ExitedWithCode(0), sized ? "0 x .*at most 16384 x 16384 and 1024 MB" : "bomb")
-        << name;
+// As image editors write the place of a layer on its canvas.
+TEST_F(ImageTest, OtherFormatsAreTheirPixels) {
+  for (const char* name : {"a.png", "a.tif"}) {
+    OIIO::ImageSpec spec(2, 1, 1, OIIO::TypeDesc::UINT8);
+    spec.x = spec.y = 5;
+    spec.full_width = spec.full_height = 20;
+    spec.attribute("XResolution", 1.0f);
+    spec.attribute("YResolution", 1.0f);
+    const unsigned char values[] = {255, 0};
+    auto out = OIIO::ImageOutput::create((folder_ / name).string());
+    ASSERT_TRUE(out && out->open((folder_ / name).string(), spec) && out->write_image(OIIO::TypeDesc::UINT8, values) &&
+                out->close());
+    const Image image = image_read(folder_ / name);
+    EXPECT_EQ(image.width, 2) << name;
+    EXPECT_EQ(image.values, (std::vector<float>{1, 0})) << name;
   }
 }
 
@@ -186,11 +122,26 @@ TEST(ImageData, NanInfAndNegativeTexelsAreCleanedAndCounted) {
   const fs::path file = data_path("textures/BrightRingsNanInf.exr");
   NEED_DATA(file);
   std::size_t bad = 0;
-  for (float value : image_read(file).values) bad += !(std::isfinite(value) && value >= 0);
+  const Image stored = image_read(file);
+  ASSERT_EQ(stored.channels, 3);
+  for (std::size_t i = 0; i < stored.values.size(); i += 3) {
+    const auto is_bad = [](float value) { return !(std::isfinite(value) && value >= 0); };
+    bad += std::any_of(&stored.values[i], &stored.values[i] + 3, is_bad);
+  }
   const Image texture = image_read_texture(file);
   EXPECT_GT(bad, 0u);
   EXPECT_EQ(texture.cleaned, bad);
   for (float value : texture.values) ASSERT_TRUE(std::isfinite(value) && value >= 0);
+}
+
+TEST_F(ImageTest, CleanedTexelsAreCountedAndNotTheirChannels) {
+  const float inf = INFINITY;
+  const fs::path file =
+      write<float>("a.exr", 2, 3, OIIO::TypeDesc::FLOAT, {1, inf, -inf, 1, 2, 3, -1, NAN, inf, 0, -1, 0});
+  const Image texture = image_read_texture(file);
+  EXPECT_EQ(texture.cleaned, 3u);
+  EXPECT_EQ(texture.values, (std::vector<float>{1, 0, 0, 1, 2, 3, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(image_read_texture(write<float>("b.exr", 1, 1, OIIO::TypeDesc::FLOAT, {inf})).cleaned, 1u);
 }
 
 TEST(ImageData, FloatsAreLinearAndUntouched) {
@@ -224,67 +175,5 @@ TEST(ImageData, JpegIsDecoded) {
   EXPECT_EQ(texture.cleaned, 0u);
 }
 
-// The library's own libraries start threads and take time to load: none of that is in this process.
-TEST_F(ImageTest, TheLibraryIsInAnotherProcess) {
-  const std::vector<float> rgb(64 * 64 * 3, 0.5f);
-  image_write_exr(folder_ / "a.exr", 64, 64, {{"R", rgb.data()}}, {});
-  image_write_display(folder_ / "a.png", 64, 64, rgb);
-  EXPECT_EQ(image_read(folder_ / "a.exr").values[0], 0.5f);
-  EXPECT_EQ(image_read(folder_ / "a.png").channels, 3);
-}
-
-TEST_F(ImageTest, ADeadProgramIsStartedAnew) {
-  const std::vector<float> rgb(12, 0.5f);
-  image_check_writable(folder_ / "a.png");
-  ImageProgram::writer().stop();
-  image_write_display(folder_ / "a.png", 2, 2, rgb);
-  pid_t child = 0;
-  std::ifstream("/proc/self/task/" + std::to_string(::getpid()) + "/children") >> child;
-  ASSERT_GT(child, 0);
-  ::kill(child, SIGKILL);
-  EXPECT_THAT(message_of<RuntimeError>([&] { image_write_display(folder_ / "b.png", 2, 2, rgb); }),
-              HasSubstr("b.png: cannot be written: the image library crashed (signal 9)"));
-  image_write_display(folder_ / "c.png", 2, 2, rgb);
-  EXPECT_THAT(files(), testing::UnorderedElementsAre("a.png", "c.png"));
-}
-
-TEST_F(ImageTest, FailedWritesLeaveNothingBehind) {
-  const std::vector<float> rgb(300 * 300 * 3, 0.5f);
-  std::vector<float> noise;
-  for (unsigned i = 0, x = 1; i < 300 * 300; ++i) noise.push_back(float((x = x * 1664525u + 1013904223u) >> 8));
-  const auto write_exr = [&] { image_write_exr(folder_ / "a.exr", 300, 300, {{"R", noise.data()}}, {}); };
-  rlimit old{};
-  ::getrlimit(RLIMIT_FSIZE, &old);
-  std::signal(SIGXFSZ, SIG_IGN);
-  rlimit small = old;
-  small.rlim_cur = 4096;
-  ::setrlimit(RLIMIT_FSIZE, &small);
-  const std::string message = message_of<RuntimeError>(write_exr);
-  ::setrlimit(RLIMIT_FSIZE, &old);
-  EXPECT_THAT(message, HasSubstr("a.exr: cannot be written"));
-  EXPECT_THAT(files(), testing::IsEmpty());
-  write_exr();
-  image_write_display(folder_ / "a.JPEG", 300, 300, rgb);
-  EXPECT_THAT(files(), testing::UnorderedElementsAre("a.exr", "a.JPEG"));
-}
-
-TEST_F(ImageTest, WritabilityIsKnownBeforeRendering) {
-  const auto input = [](const fs::path& file) { return message_of<InputError>([&] { image_check_writable(file); }); };
-  const auto runtime = [](const fs::path& file) {
-    return message_of<RuntimeError>([&] { image_check_writable(file); });
-  };
-  EXPECT_THAT(input(folder_ / "a.xyz"), HasSubstr("known: .exr, .png, .jpg, .jpeg"));
-  EXPECT_THAT(input(folder_ / "a.hdr"), HasSubstr("'.hdr'"));
-  EXPECT_THAT(runtime(folder_ / "none" / "a.png"), HasSubstr((folder_ / "none").string() + "' does not exist"));
-  fs::create_directory(folder_ / "folder.png");
-  EXPECT_THAT(runtime(folder_ / "folder.png"), HasSubstr("is a folder"));
-  fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
-  if (::geteuid() != 0) {
-    EXPECT_THAT(runtime(folder_ / "a.png"), HasSubstr("cannot write into the folder '" + folder_.string()));
-  }
-  fs::permissions(folder_, fs::perms::owner_all);
-  image_check_writable(folder_ / "a.png");
-  EXPECT_THAT(files(), testing::ElementsAre("folder.png"));
-}
-
 }  // namespace
+}  // namespace brume::test

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/json_text.hpp"
 #include "base/json_value.hpp"
+#include "base/text_printable.hpp"
 #include "base/typo.hpp"
 
 namespace brume {
@@ -62,9 +63,28 @@ TEST(JsonParse, RefusesDeepNesting) {
 TEST(JsonParse, RefusesWhatIsNoText) {
   EXPECT_EQ(parse_error(""), "a.json: is empty, expected JSON text");
   EXPECT_EQ(parse_error(" \n\t"), "a.json: is empty, expected JSON text");
-  EXPECT_EQ(parse_error(std::string_view("{\0}", 3)), "a.json: holds zero bytes, expected JSON text in UTF-8");
+  EXPECT_EQ(parse_error(std::string_view("{\0}", 3)),
+            "a.json: is not a plain text file (binary or UTF-16), expected JSON text in UTF-8");
   for (const char* text : {"\x89PNG\r\n\x1a\n", "\xff\xfe{}", "[\"\xff\"]", "\x1f\x8b\x08"})
     EXPECT_THAT(parse_error(text), testing::MatchesRegex("a.json: line 1, column [0-9]+: syntax error[ -~]*"));
+}
+
+// A quote is of whole characters, and of what is none the bytes.
+TEST(JsonParse, QuotesWhatStandsThere) {
+  EXPECT_THAT(parse_error("{\"a\": \xC3\xA4}"), HasSubstr("last read: '\"a\": \xC3\xA4'"));
+  EXPECT_THAT(parse_error("{\"a\": \xF0\x9F\x8C\xAB}"), HasSubstr("\xF0\x9F\x8C\xAB'"));
+  EXPECT_THAT(parse_error("{\"a\": \xE4}"), HasSubstr("\\xE4'"));
+  EXPECT_THAT(parse_error("{\"\xC3\xA4\": 1, \"\xC3\xA4\": 2}"), HasSubstr("the key '\xC3\xA4' stands twice"));
+}
+
+TEST(TextPrintable, IsOneLineOfUtf8) {
+  EXPECT_EQ(text_printable("a\xC3\xA4\xE2\x82\xAC\xF0\x9F\x8C\xAB"), "a\xC3\xA4\xE2\x82\xAC\xF0\x9F\x8C\xAB");
+  EXPECT_EQ(text_printable("a\n\x1B[2J\x7F\xC2\x9B"), "a??[2J??");
+  // Cut off, out of order, longer than needed, a surrogate, beyond the last.
+  EXPECT_EQ(text_printable("\xE4.\xE2\x82"), "\\xE4.\\xE2\\x82");
+  EXPECT_EQ(text_printable("\x82 \xC0\xAF \xE0\x80\xAF"), "\\x82 \\xC0\\xAF \\xE0\\x80\\xAF");
+  EXPECT_EQ(text_printable("\xED\xA0\x80"), "\\xED\\xA0\\x80");
+  EXPECT_EQ(text_printable("\xF4\x90\x80\x80"), "\\xF4\\x90\\x80\\x80");
 }
 
 TEST(JsonParse, MessagesStayShort) { EXPECT_LT(parse_error("{\"" + std::string(1 << 20, 'x')).size(), 300u); }
@@ -93,6 +113,10 @@ const Access ACCESSES[] = {
     {"0", [](auto& v) { v.as_number(Range::positive()); }, "expected a number > 0, got 0"},
     {"-1", [](auto& v) { v.as_number(Range::at_least(0.5)); }, "expected a number >= 0.5, got -1"},
     {"180", [](auto& v) { v.as_number(Range::open(0, 180)); }, "expected a number in (0, 180), got 180"},
+    {"179.999999", [](auto& v) { v.as_number(Range::open(0, 180)); },
+     "expected a number in (0, 180), got 179.999999, which is 180 in single precision"},
+    {"1e-60", [](auto& v) { v.as_number(Range::positive()); },
+     "expected a number > 0, got 1e-60, which is 0 in single precision"},
     {"2", [](auto& v) { v.as_number(Range::closed(0, 1)); }, "expected a number in [0, 1], got 2"},
     {"1e300", [](auto& v) { v.as_number(Range::any()); }, "expected a number of at most 3.4e38, got 1e+300"},
     {"1.5", [](auto& v) { v.as_integer(1, 9); }, "expected an integer in [1, 9], got 1.5"},

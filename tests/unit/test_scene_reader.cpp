@@ -85,9 +85,10 @@ TEST(SceneReader, FilesThatAreNoScenes) {
   EXPECT_THAT(error(folder / "none.json"), HasSubstr(": cannot be opened: No such file"));
   EXPECT_THAT(error(file("empty.json", "")), HasSubstr("empty.json: is empty"));
   EXPECT_THAT(error(file("picture.json", std::string_view("\x89PNG\r\n\x1a\n\0\0", 10))),
-              HasSubstr(": holds zero bytes"));
-  EXPECT_THAT(error(file("large.json", "{}" + std::string(64u << 20, ' '))), HasSubstr(": larger than 64 MiB"));
-  EXPECT_THAT(error("/dev/zero"), HasSubstr(": larger than 64 MiB"));
+              HasSubstr(": is not a plain text file"));
+  EXPECT_THAT(error(file("large.json", "{}" + std::string(64u << 20, ' '))),
+              HasSubstr(": is too large, expected a scene file of at most 64 MiB"));
+  EXPECT_THAT(error("/dev/zero"), HasSubstr(": is not a regular file"));
   EXPECT_EQ(error(file("bom.json", "\xEF\xBB\xBF{}")), "no error");
   std::filesystem::remove_all(folder);
 }
@@ -118,7 +119,7 @@ TEST(SceneOverrides, BadOnesAreRefused) {
       {"film/spp=1", "--set film/spp: expected /json/pointer=VALUE"},
       {"=1", "--set : expected /json/pointer=VALUE"},
       {"/a~2=1", "--set /a~2: not a JSON pointer"},
-      {"/film/spp/x=1", "--set /film/spp/x: 'x' cannot be a member of number"},
+      {"/film/spp/x=1", "--set /film/spp/x: /film/spp is 9, expected an object or a list that has 'x'"},
       {"/lights/7=1", "--set /lights/7: '7' is beyond the end of the list; allowed: 0 to 3, or - to append"},
       {"/lights/4000000000=1", "--set /lights/4000000000: '4000000000' is not an index of a list"},
       {"/lights/-/x/999999999=1", "--set /lights/-/x/999999999: '999999999' is beyond the end of the list"},

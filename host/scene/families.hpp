@@ -17,6 +17,8 @@ const Family& storage_family();
 const Family& method_family();  // without "auto"
 const Family& shape_family();   // analytic shapes, triangle and mesh
 const Family& mesh_shading_family();
+const Family& level_set_family();
+const Family& negative_family();
 
 // FITS_x bits of a method (shared/method.h), and whether it reads render.step.
 int method_fits(int method);

@@ -32,7 +32,7 @@ WRONG = [
     ("host/scene/reader.cpp", '#include "scene/missing.hpp"', "there is no host/scene/missing.hpp"),
     ("host/scene/reader.cpp", '#include "scene_desc.hpp"', "not the root"),
     ("host/flat/bricks.cpp", '#include "version.hpp"', "only main and cli"),
-    ("host/flat/bricks.cpp", "#include <openvdb/openvdb.h>", "belongs to volume"),
+    ("host/flat/bricks.cpp", "#include <openvdb/openvdb.h>", "belongs to vdb"),
     ("host/flat/bricks.h", "", "holds .hpp and .cpp files only"),
     ("host/odd/odd.cpp", "", "host/odd is no room"),
     ("kernels/lib/rng.cl", '#include "phase/phase.cl"', "kernels/lib may include shared, lib, not phase"),

@@ -40,6 +40,9 @@ BROKEN = {
     "unknown density": (["media", 0, "density", "type"], "marble"),
     "g of a delta function": (["media", 0, "phase", "g"], 1),
     "negative absorption": (["media", 0, "sigma_a"], -1),
+    "three numbers for a pair": (["media", 0, "density"], {"type": "file", "path": "a", "remap": [[0, 1, 2]]}),
+    "negative density": (["media", 0, "density"], {"type": "file", "path": "a", "remap": [[0, -1]]}),
+    "unknown rule": (["media", 0, "density"], {"type": "file", "path": "a", "level_set": "keep"}),
     "unknown method": (["render", "method"], "magic"),
 }
 

@@ -10,6 +10,7 @@ HOST = {
     "base": "",
     "scene": "base shared",
     "volume": "base",
+    "vdb": "base volume",
     "mesh": "base",
     "accel": "base shared",
     "image": "base",
@@ -36,7 +37,8 @@ KERNELS = {
 # Third-party header -> the rooms that may see it.
 LIBRARIES = {
     "CL/": "cl",
-    "openvdb/": "volume",
+    "openvdb/": "vdb",
+    "tbb/": "vdb",
     "tiny_obj_loader": "mesh",
     "OpenImageIO/": "codec",
     "CLI/": "cli",

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "base/interrupt.hpp"
 #include "cl/driver_guard.hpp"
 #include "cl/kernel_text.hpp"
 
@@ -84,6 +85,7 @@ cl::Program program_build(const Context& context, const std::string& source, con
   try {
     program.build({context.device().device}, ("-cl-std=CL1.2 -w " + options).c_str());
   } catch (const cl::Error& error) {
+    interrupt_check();  // a compiler that was interrupted is not one that failed
     const std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(context.device().device);
     throw RuntimeError("kernel build failed on " + context.device().title() + ", driver " + context.device().driver +
                        ": " + cl_error_name(error.err()) + "\n" + log + "\noptions: " + options + "\n" +

@@ -14,7 +14,6 @@
 #include "mesh/mesh.hpp"
 #include "scene/families.hpp"
 #include "scene/scene_reader.hpp"
-#include "volume/density_source.hpp"
 #include "volume/volume_file.hpp"
 
 namespace brume {
@@ -29,19 +28,9 @@ Json triple(const V& v) {
   return {v.x, v.y, v.z};
 }
 
-// Bricks as the kernels will hold them, and densities as a medium sees them.
-Json grid_details(const Path& file, const std::string& name) {
-  DensitySpec spec;
-  spec.type = "file";
-  spec.file = file;
-  spec.grid = name;
-  const GridStats stats = grid_stats(density_make(spec));
-  return {{"min", stats.min}, {"max", stats.max}, {"mean", stats.mean}, {"nonzero_voxels", stats.nonzero}};
-}
-
 Json info_volume(const Path& file) {
   Json grids = Json::array();
-  for (const VolumeGridInfo& g : volume_list(file)) {
+  for (const VolumeGridInfo& g : volume_list(file, true)) {
     Json grid{{"name", g.name},
               {"values", g.type},
               {"class", g.grid_class},
@@ -49,10 +38,14 @@ Json info_volume(const Path& file) {
               {"index_min", triple(g.index_min)},
               {"index_max", triple(g.index_max)},
               {"voxel_size", triple(g.voxel_size)}};
-    if (g.refusal.empty())
-      grid["density"] = grid_details(file, g.name);
+    if (g.density)
+      grid["density"] = {{"min", g.density->min},
+                         {"max", g.density->max},
+                         {"mean", g.density->mean},
+                         {"nonzero_voxels", g.density->nonzero}};
     else
       grid["no_density_because"] = g.refusal;
+    if (!g.notes.empty()) grid["notes"] = g.notes;
     grids.push_back(grid);
   }
   return {{"file", file.string()}, {"kind", "volume"}, {"grids", grids}};

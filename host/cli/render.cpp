@@ -32,10 +32,18 @@ void say(const RenderArguments& arguments, const std::string& text) {
   if (!arguments.quiet) std::fprintf(stderr, "brume: %s\n", text_printable(text).c_str());
 }
 
+// That of the overrides: the camera of a bare file depends on its shape.
+ivec2 film_size(const RenderArguments& arguments) {
+  std::vector<std::string> film;
+  for (const std::string& override : arguments.all_overrides())
+    if (override.rfind("/film", 0) == 0) film.push_back(override);
+  return scene_read_text("{}", arguments.scene, film).film.size;
+}
+
 SceneDesc describe(const RenderArguments& arguments) {
   if (file_kind(arguments.scene) == FileKind::SCENE) return scene_read(arguments.scene, arguments.all_overrides());
   std::string report;
-  const SceneDesc bare = bare_scene(arguments.scene, report);
+  const SceneDesc bare = bare_scene(arguments.scene, report, film_size(arguments));
   say(arguments, report);
   const std::filesystem::path folder = arguments.scene.parent_path();
   SceneDesc desc = scene_read_text(scene_write(bare, folder), folder / (arguments.scene.filename().string() + ".json"),

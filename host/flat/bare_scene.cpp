@@ -1,35 +1,40 @@
 // See bare_scene.hpp.
 #include "flat/bare_scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "base/error.hpp"
 #include "base/file_read.hpp"
+#include "base/number_text.hpp"
 #include "flat/bounds.hpp"
+#include "flat/densest_view.hpp"
 #include "flat/transform.hpp"
 #include "mesh/mesh.hpp"
-#include "volume/density_source.hpp"
+#include "volume/volume_file.hpp"
 
 namespace brume {
 
 namespace {
 
-constexpr double VFOV = 35;         // degrees
-constexpr double DENSEST_VIEW = 4;  // τ of the densest line of sight
-constexpr double ALBEDO = 0.9;      // pale smoke
+constexpr double VFOV = 35;                              // degrees
+constexpr double DENSEST_VIEW = 4;                       // τ of the densest line of sight
+constexpr double ALBEDO = 0.9;                           // pale smoke
+constexpr float VALUE_MIN = 1e-20f, VALUE_MAX = 1e20f;   // of the largest density, and lengths,
+constexpr double EXTENT_MIN = 1e-30, EXTENT_MAX = 1e30;  // whose coefficients and cameras single precision holds
 const dvec3 TOWARDS_CAMERA = glm::normalize(dvec3(0.35, 0.2, 1.0));
 
-// Looks at the middle of the bounds from the front, a little right and above, so that their sphere just fits.
-CameraDesc camera_frame(const Bounds& bounds) {
+// Looks at the middle of the bounds from the front, a little right and above, so that their sphere just fits, into a portrait too.
+CameraDesc camera_frame(const Bounds& bounds, ivec2 film) {
   CameraDesc camera;
-  const double radius = 0.5 * glm::length(bounds.size());
+  const double radius = 0.5 * glm::length(bounds.size()), up = glm::radians(0.5 * VFOV);
+  const double sideways = std::atan(std::tan(up) * film.x / film.y);
   camera.vfov = VFOV;
   camera.target = bounds.center();
-  camera.eye = camera.target + TOWARDS_CAMERA * (radius / std::sin(glm::radians(0.5 * VFOV)));
+  camera.eye = camera.target + TOWARDS_CAMERA * (radius / std::sin(std::min(up, sideways)));
   return camera;
 }
 
@@ -44,44 +49,16 @@ LightDesc key_light(const CameraDesc& camera, double irradiance) {
   return light;
 }
 
-// Box of the non-zero samples, in world space.
+// Box of the non-zero samples and of the voxel over which they fade, in world space.
 Bounds grid_bounds(const Grid& grid, const GridStats& stats) {
   Bounds bounds;
-  const dvec3 lo(stats.nonzero_min), hi(stats.nonzero_max + 1);
+  const bool empty = stats.nonzero == 0;
+  const dvec3 lo = empty ? dvec3(0) : dvec3(stats.nonzero_min) - 0.5;
+  const dvec3 hi = empty ? dvec3(grid.size()) : dvec3(stats.nonzero_max) + 1.5;
   for (int c = 0; c < 8; ++c)
     bounds.add(
         transform_point(grid.world_from_lattice, dvec3(c & 1 ? hi.x : lo.x, c & 2 ? hi.y : lo.y, c & 4 ? hi.z : lo.z)));
   return bounds;
-}
-
-// ∫ρ dt along one line through the grid, nearest samples every half voxel. A line as long as the bounds' diagonal, about `middle`.
-double line_integral(const Grid& grid, const dmat4& lattice_from_world, const dvec3& middle, const dvec3& dir,
-                     double length) {
-  const dvec3 m = transform_point(lattice_from_world, middle), d = transform_dir(lattice_from_world, dir);
-  const int steps = static_cast<int>(std::ceil(2 * length * glm::length(d)));
-  double sum = 0;
-  for (int i = 0; i < steps; ++i) {
-    const dvec3 p = m + d * (length * ((i + 0.5) / steps - 0.5));
-    if (p.x < 0 || p.y < 0 || p.z < 0) continue;
-    const ivec3 voxel(p);
-    if (voxel.x < grid.size().x && voxel.y < grid.size().y && voxel.z < grid.size().z) sum += grid.at(voxel);
-  }
-  return sum * length / steps;
-}
-
-// The largest ∫ρ dt over lines of sight, on a lattice of parallel lines across the bounds.
-double densest_line(const Grid& grid, const Bounds& bounds, const dvec3& forward, const dvec3& up) {
-  constexpr int LINES = 48;
-  const dmat4 lattice_from_world = glm::inverse(grid.world_from_lattice);
-  const dvec3 right = glm::normalize(glm::cross(forward, up)), above = glm::cross(right, forward);
-  const double size = glm::length(bounds.size());
-  double densest = 0;
-  for (int y = 0; y < LINES; ++y)
-    for (int x = 0; x < LINES; ++x) {
-      const dvec3 offset = size * (((x + 0.5) / LINES - 0.5) * right + ((y + 0.5) / LINES - 0.5) * above);
-      densest = std::max(densest, line_integral(grid, lattice_from_world, bounds.center() + offset, forward, size));
-    }
-  return densest;
 }
 
 std::string box_text(const Bounds& b) {
@@ -91,43 +68,57 @@ std::string box_text(const Bounds& b) {
   return text;
 }
 
-SceneDesc scene_of_volume(const std::filesystem::path& file, std::string& report) {
-  DensitySpec spec;
-  spec.type = "file";
-  spec.file = file;
-  const Grid grid = density_make(spec);
-  const GridStats stats = grid_stats(grid);
-  if (stats.nonzero == 0)
-    throw InputError(file.string() + ": grid '" + grid.name + "' is 0 everywhere; there is nothing to see");
-  const Bounds bounds = grid_bounds(grid, stats);
+// Coefficients that make the densest view τ = DENSEST_VIEW, and a line that says so. Values whose coefficients single precision could not
+// hold are brought to 1 first.
+std::string medium_expose(MediumDesc& medium, const Grid& grid, float largest, const CameraDesc& camera) {
+  double densest = grid_densest_view(grid, camera.eye, camera.target);
+  if (!(densest > 0)) {
+    medium.sigma_s = dvec3(1);
+    return "it is 0 everywhere: there is nothing to see";
+  }
+  std::string scaled;
+  if (largest < VALUE_MIN || largest > VALUE_MAX) {
+    medium.density.remap = {{0, 0}, {largest, 1}};
+    densest /= largest;
+    scaled = "values up to " + number_text(largest, 4) + " are mapped to 1; ";
+  }
+  const double sigma_t = DENSEST_VIEW / densest;
+  medium.sigma_s = dvec3(ALBEDO * sigma_t);
+  medium.sigma_a = dvec3((1 - ALBEDO) * sigma_t);
+  return scaled + "sigma_t " + number_text(sigma_t, 4) +
+         " per unit density, so that the densest view is tau = " + number_text(DENSEST_VIEW, 4);
+}
+
+SceneDesc scene_of_volume(const std::filesystem::path& file, ivec2 film, std::string& report) {
+  const VolumeFirst volume = volume_read_first(file);
+  const GridStats stats = grid_stats(volume.grid);
+  const Bounds bounds = grid_bounds(volume.grid, stats);
+  const double extent = glm::length(bounds.size());
+  if (!(extent >= EXTENT_MIN && extent <= EXTENT_MAX))
+    throw InputError(file.string() + ": is " + number_text(extent, 4) + " across; a volume alone may be " +
+                     number_text(EXTENT_MIN) + " to " + number_text(EXTENT_MAX) + ", in a scene \"bounds\" places it");
 
   SceneDesc desc;
   desc.background = dvec3(0.06, 0.08, 0.11);
-  desc.camera = camera_frame(bounds);
+  desc.camera = camera_frame(bounds, film);
   desc.lights.push_back(key_light(desc.camera, 14));
-  const double densest =
-      densest_line(grid, bounds, glm::normalize(desc.camera.target - desc.camera.eye), desc.camera.up);
-  const double sigma_t = DENSEST_VIEW / densest;
   MediumDesc medium;
   medium.density.type = "file";
   medium.density.file = file;
-  medium.density.grid = grid.name;
-  medium.sigma_s = dvec3(ALBEDO * sigma_t);
-  medium.sigma_a = dvec3((1 - ALBEDO) * sigma_t);
+  medium.density.grid = volume.grid.name;
+  medium.density.level_set = volume.fill ? LEVEL_SET_FILL : LEVEL_SET_REFUSE;
+  const std::string exposure = medium_expose(medium, volume.grid, stats.max, desc.camera);
   desc.media.push_back(medium);
   // About a per cent off the exact picture and ten times as fast; the scene that is saved says so.
   desc.render.method = METHOD_DDA_MIDPOINT;
   desc.render.shadow = SHADOW_GRID;
   desc.render.light_grid = 128;
-  char text[400];
-  std::snprintf(text, sizeof text,
-                "%s, grid '%s': bounds %s; sigma_t %.4g per unit density, so that the densest view is about tau = %g",
-                file.string().c_str(), grid.name.c_str(), box_text(bounds).c_str(), sigma_t, DENSEST_VIEW);
-  report = text;
+  report = file.string() + ", grid '" + volume.grid.name + "'" + volume.why + (volume.fill ? ", filled" : "") +
+           ": bounds " + box_text(bounds) + "; " + exposure;
   return desc;
 }
 
-SceneDesc scene_of_mesh(const std::filesystem::path& file, std::string& report) {
+SceneDesc scene_of_mesh(const std::filesystem::path& file, ivec2 film, std::string& report) {
   const Mesh mesh = mesh_read_obj(file);
   Bounds bounds;
   for (const dvec3& p : mesh.positions) bounds.add(p);
@@ -135,7 +126,7 @@ SceneDesc scene_of_mesh(const std::filesystem::path& file, std::string& report) 
   SceneDesc desc;
   desc.background = dvec3(0.06, 0.08, 0.11);
   desc.ambient = dvec3(0.15);
-  desc.camera = camera_frame(bounds);
+  desc.camera = camera_frame(bounds, film);
   desc.lights.push_back(key_light(desc.camera, 3));
   MeshDesc shape;
   shape.file = file;
@@ -153,7 +144,7 @@ SceneDesc scene_of_mesh(const std::filesystem::path& file, std::string& report) 
 
 struct BareRow {
   const char* extension;
-  SceneDesc (*make)(const std::filesystem::path&, std::string&);
+  SceneDesc (*make)(const std::filesystem::path&, ivec2 film, std::string&);
 };
 constexpr BareRow BARE_FILES[] = {{".vdb", scene_of_volume}, {".obj", scene_of_mesh}};
 
@@ -167,8 +158,8 @@ const BareRow* bare_row(const std::filesystem::path& file) {
 
 bool bare_scene_takes(const std::filesystem::path& file) { return bare_row(file) != nullptr; }
 
-SceneDesc bare_scene(const std::filesystem::path& file, std::string& report) {
-  return bare_row(file)->make(file, report);
+SceneDesc bare_scene(const std::filesystem::path& file, std::string& report, ivec2 film) {
+  return bare_row(file)->make(file, film, report);
 }
 
 }  // namespace brume

@@ -1,5 +1,5 @@
 // A scene for a volume or a mesh that comes alone: camera that frames it, a key light from the upper left, coefficients that make
-// the densest view about τ = 4.
+// the densest view τ = 4.
 #pragma once
 #include <filesystem>
 
@@ -10,7 +10,7 @@ namespace brume {
 // True for the files that bare_scene takes: .vdb and .obj.
 bool bare_scene_takes(const std::filesystem::path& file);
 
-// `report` receives one line saying what was chosen (σt, the densest view, ...).
-SceneDesc bare_scene(const std::filesystem::path& file, std::string& report);
+// `report` receives one line saying what was chosen (σt, the densest view, ...). The camera frames it in a film of that shape.
+SceneDesc bare_scene(const std::filesystem::path& file, std::string& report, ivec2 film = {1, 1});
 
 }  // namespace brume

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/vector_relational.hpp>
 #include <map>
+#include <optional>
 
 #include "base/error.hpp"
 #include "flat/flatten_parts.hpp"
@@ -46,16 +47,26 @@ Brick brick_cut(const Grid& grid, ivec3 b, int pad) {
   return brick;
 }
 
-// True when no stored block of the grid can reach the brick.
-bool brick_surely_empty(const Grid& grid, ivec3 b, int pad) {
-  const ivec3 last = grid.size() - 1;
-  const ivec3 lo = glm::clamp(b * BRICK_CELLS - pad, ivec3(0), last) / GRID_BLOCK;
-  const ivec3 hi = glm::clamp(b * BRICK_CELLS + BRICK_SAMPLES - 1 - pad, ivec3(0), last) / GRID_BLOCK;
+Brick brick_of(float value) {
+  Brick brick{{}, value, value};
+  brick.samples.fill(value);
+  return brick;
+}
+
+// The one value of all samples that the brick reads, where the blocks of the grid tell it.
+std::optional<float> brick_surely_one(const Grid& grid, ivec3 b, int pad) {
+  const ivec3 last = grid.size() - 1, begin = b * BRICK_CELLS - pad, end = begin + (BRICK_SAMPLES - 1);
+  const ivec3 lo = glm::clamp(begin, ivec3(0), last) / GRID_BLOCK, hi = glm::clamp(end, ivec3(0), last) / GRID_BLOCK;
+  const auto value_of = [&](ivec3 block) { return grid.block_empty(block) ? 0.0f : *grid.block(block); };
+  const float value = value_of(lo);
+  const bool fades =
+      grid.border == Border::ZERO && pad > 0 && (begin != glm::max(begin, ivec3(0)) || end != glm::min(end, last));
+  if (value != 0 && fades) return std::nullopt;
   for (int z = lo.z; z <= hi.z; ++z)
     for (int y = lo.y; y <= hi.y; ++y)
       for (int x = lo.x; x <= hi.x; ++x)
-        if (!grid.block_empty({x, y, z})) return false;
-  return true;
+        if (!grid.block_uniform({x, y, z}) || value_of({x, y, z}) != value) return std::nullopt;
+  return value;
 }
 
 // Stores the brick's samples and returns its number; bricks of one constant value share one.
@@ -121,8 +132,9 @@ void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene) {
         const ivec3 b(x, y, z);
         std::int32_t entry = BRICK_EMPTY;
         float min = 0, max = 0;
-        if (!brick_surely_empty(grid, b, pad)) {
-          const Brick brick = brick_cut(grid, b, pad);
+        const std::optional<float> one = brick_surely_one(grid, b, pad);
+        if (one != 0.0f) {
+          const Brick brick = one ? brick_of(*one) : brick_cut(grid, b, pad);
           min = brick.min;
           max = brick.max;
           if (max > 0) {

@@ -22,6 +22,7 @@ DensitySpec density_spec(const DensityDesc& d) {
   spec.seed = d.seed;
   spec.file = d.file;
   spec.grid = d.grid;
+  spec.values = {d.level_set == LEVEL_SET_FILL, d.threshold, d.remap, d.factor, d.negative == NEGATIVE_CLAMP};
   if (d.of) spec.of = std::make_shared<DensitySpec>(density_spec(*d.of));
   return spec;
 }
@@ -77,7 +78,8 @@ void refuse_tracked_light_grid(const SceneDesc& desc, int method) {
                      "', whose error only falls over many light rays; allowed with it: trace, auto");
 }
 
-LoadedMedium load_medium(const SceneDesc& desc, const std::shared_ptr<const MediumDesc>& medium) {
+LoadedMedium load_medium(const SceneDesc& desc, const std::shared_ptr<const MediumDesc>& medium,
+                         std::vector<std::string>& notes) {
   const MediumDesc& m = *medium;
   refuse_tracked_light_grid(desc, method_resolve(desc, m));
   LoadedMedium loaded{medium, method_resolve(desc, m), false, false, 0, std::nullopt, dmat4(1.0)};
@@ -91,6 +93,8 @@ LoadedMedium load_medium(const SceneDesc& desc, const std::shared_ptr<const Medi
     return loaded;
   }
   loaded.grid = density_make(density_spec(m.density));
+  for (const std::string& note : loaded.grid->notes)
+    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
   const dvec3 size(loaded.grid->size());
   const bool own = m.density.type == "file" && !m.bounds;
   loaded.world_from_lattice =
@@ -151,7 +155,7 @@ Medium medium_flatten(const SceneDesc& desc, const LoadedMedium& loaded, FlatSce
 
 }  // namespace
 
-std::vector<LoadedMedium> load_media(const SceneDesc& desc, std::vector<std::string>&) {
+std::vector<LoadedMedium> load_media(const SceneDesc& desc, std::vector<std::string>& notes) {
   std::vector<LoadedMedium> media;
   for (const MediumDesc& m : desc.media) {
     auto body = std::make_shared<MediumDesc>(m);
@@ -159,9 +163,9 @@ std::vector<LoadedMedium> load_media(const SceneDesc& desc, std::vector<std::str
       auto glow = std::make_shared<MediumDesc>(m);
       glow->density = *m.emission_density;
       glow->sigma_a = glow->sigma_s = body->emission = dvec3(0);
-      media.push_back(load_medium(desc, glow));
+      media.push_back(load_medium(desc, glow, notes));
     }
-    media.push_back(load_medium(desc, body));
+    media.push_back(load_medium(desc, body, notes));
   }
   return media;
 }

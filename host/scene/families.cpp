@@ -63,4 +63,16 @@ const Family& mesh_shading_family() {
   return rows;
 }
 
+const Family& level_set_family() {
+  static const Family rows{{LEVEL_SET_REFUSE, "refuse", "level sets are no densities"},
+                           {LEVEL_SET_FILL, "fill", "1 inside, 0 outside"}};
+  return rows;
+}
+
+const Family& negative_family() {
+  static const Family rows{{NEGATIVE_REFUSE, "refuse", "no negative densities"},
+                           {NEGATIVE_CLAMP, "clamp", "those that are rounding become 0"}};
+  return rows;
+}
+
 }  // namespace brume

@@ -18,5 +18,7 @@ const Family& storage_family();
 const Family& method_family();  // without "auto"
 const Family& shape_family();   // analytic shapes, triangle and mesh
 const Family& mesh_shading_family();
+const Family& level_set_family();
+const Family& negative_family();
 
 }  // namespace brume

@@ -41,6 +41,28 @@ ivec3 read_resolution(const JsonValue& value) {
   return r;
 }
 
+std::vector<dvec2> read_remap(const JsonValue& remap) {
+  std::vector<dvec2> points;
+  for (const JsonValue& pair : remap.as_list()) {
+    const std::vector<JsonValue> values = pair.as_list();
+    if (values.size() != 2) pair.fail("expected [value, density]" + pair.got());
+    points.emplace_back(values[0].as_number(Range::any()), values[1].as_number(Range::at_least_0()));
+    if (points.size() > 1 && !(points.back().x > points[points.size() - 2].x))
+      pair.fail("expected a value above that of the pair before" + pair.got());
+  }
+  if (points.empty()) remap.fail("expected [[value, density], ...]" + remap.got());
+  return points;
+}
+
+// How the values of a file become densities.
+void read_values(const JsonValue& density, DensityDesc& d) {
+  d.level_set = density.member("level_set", d.level_set, level_set_family(), "level set rule");
+  if (density.has("threshold")) d.threshold = density.get("threshold").as_number(Range::any());
+  if (density.has("remap")) d.remap = read_remap(density.get("remap"));
+  d.factor = density.number("scale", d.factor, Range::at_least_0());
+  d.negative = density.member("negative", d.negative, negative_family(), "rule for negative densities");
+}
+
 DensityDesc read_density(const JsonValue& density, const std::filesystem::path& folder) {
   DensityDesc d;
   const DensityKeys& keys = DENSITIES[density.get("type").as_member(density_names(), "density")];
@@ -55,6 +77,7 @@ DensityDesc read_density(const JsonValue& density, const std::filesystem::path& 
   if (keys.file) {
     d.file = read_path(density.get("path"), folder);
     if (density.has("grid")) d.grid = density.get("grid").as_string();
+    read_values(density, d);
   }
   if (keys.of) d.of = std::make_shared<DensityDesc>(read_density(density.get("of"), folder));
   density.refuse_unread();

@@ -19,6 +19,7 @@
 
 namespace brume {
 
+using glm::dvec2;
 using glm::dvec3;
 using glm::ivec2;
 using glm::ivec3;
@@ -108,6 +109,9 @@ struct ShapeDesc {
   std::string place;  // JSON pointer, for messages of later stages
 };
 
+enum LevelSetRule { LEVEL_SET_REFUSE, LEVEL_SET_FILL };
+enum NegativeRule { NEGATIVE_REFUSE, NEGATIVE_CLAMP };
+
 // Where densities come from. The tables of generators and formats are in host/volume.
 struct DensityDesc {
   std::string type = "constant";  // constant, linear, exponential, perlin, sphere, file
@@ -116,8 +120,13 @@ struct DensityDesc {
   double scale = 4;  // perlin: lattice cells along the longest side
   int octaves = 4;
   int seed = 1;
-  std::filesystem::path file;       // file; already resolved
-  std::string grid;                 // file: name of the grid, empty = the first that can be a density
+  std::filesystem::path file;        // file; already resolved
+  std::string grid;                  // file: name of the grid, empty = the one that is meant if there is no choice
+  int level_set = LEVEL_SET_REFUSE;  // file, and all down to `of`: how values become densities, in this order
+  std::optional<double> threshold;   // values below it are 0
+  std::vector<dvec2> remap;          // (value, density), value ascending
+  double factor = 1;                 // `scale`
+  int negative = NEGATIVE_CLAMP;
   std::shared_ptr<DensityDesc> of;  // sphere: what is cut
 };
 

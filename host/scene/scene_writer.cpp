@@ -114,12 +114,20 @@ struct GeometryJson {
   }
 };
 
+// What leaves the values of the file alone is not written.
+Json file_density_json(const DensityDesc& d, const Folder& folder) {
+  Json json{{"type", "file"}, {"path", path_text(d.file, folder)}};
+  if (!d.grid.empty()) json["grid"] = d.grid;
+  if (d.level_set != LEVEL_SET_REFUSE) json["level_set"] = family_name(level_set_family(), d.level_set);
+  if (d.threshold) json["threshold"] = number(*d.threshold);
+  for (const dvec2& point : d.remap) json["remap"].push_back({number(point.x), number(point.y)});
+  if (d.factor != 1) json["scale"] = number(d.factor);
+  if (d.negative != NEGATIVE_CLAMP) json["negative"] = family_name(negative_family(), d.negative);
+  return json;
+}
+
 Json density_json(const DensityDesc& d, const Folder& folder) {
-  if (d.type == "file") {
-    Json json{{"type", "file"}, {"path", path_text(d.file, folder)}};
-    if (!d.grid.empty()) json["grid"] = d.grid;
-    return json;
-  }
+  if (d.type == "file") return file_density_json(d, folder);
   if (d.type == "sphere") return {{"type", "sphere"}, {"of", density_json(*d.of, folder)}};
   Json json{{"type", d.type}, {"resolution", {d.resolution.x, d.resolution.y, d.resolution.z}}};
   if (d.type == "constant") json["value"] = number(d.value);

@@ -3,13 +3,12 @@
 
 #include "base/error.hpp"
 #include "volume/generators/generators.hpp"
-#include "volume/volume_file.hpp"
 
 namespace brume {
 
 namespace {
 
-Grid density_file(const DensitySpec& spec) { return volume_read(spec.file, spec.grid); }
+Grid density_file(const DensitySpec& spec) { return volume_read(spec.file, spec.grid, spec.values); }
 
 struct DensityRow {
   std::string_view name, help;
@@ -21,7 +20,7 @@ constexpr DensityRow DENSITIES[] = {
     {"exponential", "exp(-y), y from 0 at the bottom to 1 at the top", density_exponential},
     {"perlin", "fractal sum of Perlin noise in [0, 1]: scale, octaves, seed", density_perlin},
     {"sphere", "`of` within the inscribed ellipsoid, 0 outside", density_sphere},
-    {"file", "a grid of a volume file: path, grid", density_file}};
+    {"file", "a grid of a volume file: path, grid, and how its values become densities", density_file}};
 
 }  // namespace
 

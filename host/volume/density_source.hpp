@@ -7,6 +7,7 @@
 
 #include "base/family.hpp"
 #include "volume/grid.hpp"
+#include "volume/volume_file.hpp"
 
 namespace brume {
 
@@ -19,7 +20,8 @@ struct DensitySpec {
   int octaves = 4;                  // perlin: 1 ... 16
   int seed = 1;                     // perlin
   std::filesystem::path file;       // file
-  std::string grid;                 // file: name of the grid, empty = the first that can be a density
+  std::string grid;                 // file: name of the grid, empty = the one that volume_read() takes
+  VolumeValues values;              // file
   std::shared_ptr<DensitySpec> of;  // sphere: what is cut
 };
 

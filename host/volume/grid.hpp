@@ -8,6 +8,7 @@
 #include <glm/ext/vector_int3_sized.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,19 +35,23 @@ class Grid {
   ivec3 size() const { return size_; }
   float at(ivec3 i) const;         // 0 <= i < size
   void set(ivec3 i, float value);  // stores a block on its first non-zero value; InputError beyond GRID_BYTES_MAX
+  // The same value in the box lo ... hi (inclusive, within the grid). Whole blocks of one value are stored once.
+  void fill(ivec3 lo, ivec3 hi, float value);
   std::size_t stored_bytes() const { return pool_.size() * sizeof(Block) + table_.size() * sizeof(std::int32_t); }
 
   // Block b holds samples 8b ... 8b+7 of each axis, x fastest, then y, z; those beyond the grid are 0. 0 <= b < blocks.
   ivec3 blocks() const { return blocks_; }
   bool block_empty(ivec3 b) const { return table_[table_index(b)] < 0; }  // all 0 and not stored
   const float* block(ivec3 b) const;                                      // its 512 samples, nullptr where empty
+  bool block_uniform(ivec3 b) const;  // stored by fill() as one value throughout, or empty
 
   Border border = Border::CLAMP;
   // World position of lattice coordinates: sample i sits at world_from_lattice * (i + 0.5, i + 0.5, i + 0.5). In lattice
   // coordinates voxel i spans [i, i+1), so CLAMP grids fill [0, size] and ZERO grids reach half a voxel further when trilinear.
   dmat4 world_from_lattice{1.0};
-  std::string name;    // of the grid within its file
-  std::string source;  // file or generator, for messages and info
+  std::string name;                // of the grid within its file
+  std::string source;              // file or generator, for messages and info
+  std::vector<std::string> notes;  // what a user should be told: cleaned voxels, ...
 
  private:
   using Block = std::array<float, GRID_BLOCK * GRID_BLOCK * GRID_BLOCK>;
@@ -59,10 +64,14 @@ class Grid {
     return static_cast<std::size_t>(((i.z & 7) << 6) | ((i.y & 7) << 3) | (i.x & 7));
   }
   std::int32_t block_store();
+  std::int32_t block_uniform_of(float value);
+  void block_own(std::int32_t& number);  // a copy where it is shared
 
   ivec3 size_, blocks_;
   std::vector<std::int32_t> table_;  // -1 or number of a block in pool_
   std::deque<Block> pool_;           // grows without moving what it holds
+  std::vector<bool> shared_;         // per block of the pool: one of uniform_
+  std::map<float, std::int32_t> uniform_;
 };
 
 inline float Grid::at(ivec3 i) const {
@@ -89,8 +98,8 @@ void grid_visit_stored(const Grid& grid, Visit visit) {
 }
 
 // Throws InputError "<what>: <size> samples ... need N bytes, allowed are M" where a grid of that size with `stored`
-// samples would exceed GRID_BYTES_MAX. To be asked before anything is allocated.
-void grid_expect_fits(std::string_view what, glm::i64vec3 size, double stored);
+// samples would exceed `allowed` bytes. To be asked before anything is allocated.
+void grid_expect_fits(std::string_view what, glm::i64vec3 size, double stored, std::uint64_t allowed = GRID_BYTES_MAX);
 
 struct GridStats {
   float min, max;

@@ -12,10 +12,11 @@ namespace {
 
 struct FormatRow {
   std::string_view extension;
-  std::vector<VolumeGridInfo> (*list)(const fs::path&);
-  Grid (*read)(const fs::path&, const std::string& grid_name);
+  std::vector<VolumeGridInfo> (*list)(const fs::path&, bool voxels);
+  Grid (*read)(const fs::path&, const std::string& grid_name, const VolumeValues&);
+  VolumeFirst (*read_first)(const fs::path&);
 };
-constexpr FormatRow FORMATS[] = {{".vdb", vdb_list, vdb_read}};
+constexpr FormatRow FORMATS[] = {{".vdb", vdb_list, vdb_read, vdb_read_first}};
 
 // The format of a file that exists and is not empty.
 const FormatRow& format_of(const fs::path& file) {
@@ -36,8 +37,14 @@ const FormatRow& format_of(const fs::path& file) {
 
 }  // namespace
 
-std::vector<VolumeGridInfo> volume_list(const fs::path& file) { return format_of(file).list(file); }
+std::vector<VolumeGridInfo> volume_list(const fs::path& file, bool voxels) {
+  return format_of(file).list(file, voxels);
+}
 
-Grid volume_read(const fs::path& file, const std::string& grid_name) { return format_of(file).read(file, grid_name); }
+Grid volume_read(const fs::path& file, const std::string& grid_name, const VolumeValues& values) {
+  return format_of(file).read(file, grid_name, values);
+}
+
+VolumeFirst volume_read_first(const fs::path& file) { return format_of(file).read_first(file); }
 
 }  // namespace brume

@@ -68,6 +68,11 @@ TEST_F(BadInput, Volumes) {
     write("cut.vdb", whole.substr(0, size));
     expect_refused("render cut.vdb -o a.png", 2, "cut.vdb");
   }
+  std::string damaged = text(BRUME_SOURCE_DIR "/tests/data/mitsuba/fog_grey.vdb");
+  damaged.at(9408) = 127;  // within compressed voxels: it crashes OpenVDB
+  write("damaged.vdb", damaged);
+  expect_refused("render damaged.vdb -o a.png", 2, "damaged.vdb: ");
+  expect_refused("info damaged.vdb", 2, "damaged.vdb: ");
   write("a.json", R"({"media": [{"density": {"type": "file", "path": ")" BRUME_SOURCE_DIR
                   R"(/scenes/data/plume.vdb", "grid": "soot"}}]})");
   expect_refused("render a.json -o a.png", 2, "soot");

@@ -124,6 +124,25 @@ TEST_F(Render, InterruptedKeepsWhatIsDone) {
   EXPECT_EQ(kept.width, 256);
 }
 
+// Runs brume beside a reader of volumes that is a shell script of one line.
+std::string with_reader(const std::string& line, const std::string& then) {
+  return "timeout -s KILL 60 sh -c 'mkdir b && cp \"$0\" b && printf \"#!/bin/sh\\n" + line +
+         "\\n\" >b/brume-volume && chmod +x b/brume-volume && " + then + "'";
+}
+
+TEST_F(Render, InterruptedWhileAVolumeIsRead) {
+  const Outcome r = run("info " BRUME_SOURCE_DIR "/scenes/data/plume.vdb", "",
+                        with_reader("exec sleep 60", "{ b/brume \"$@\" & sleep 0.5; kill -INT $!; wait $!; }"));
+  EXPECT_EQ(r.exit_code, 130) << r.err;
+}
+
+TEST_F(Render, AReaderThatCrashesIsOneLine) {
+  const Outcome r =
+      run("info " BRUME_SOURCE_DIR "/scenes/data/plume.vdb", "", with_reader("kill -SEGV \\$\\$", "b/brume \"$@\""));
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_THAT(r.err, testing::EndsWith("plume.vdb: is damaged: the reader ended by signal 11\n"));
+}
+
 TEST_F(Render, SecondInterruptEndsAtOnce) {
   write("a.json", SCENE);
   // Its first batch takes minutes: only the second signal ends it.

@@ -238,6 +238,24 @@ TEST(Bricks, NeighboursAgreeOnTheFacesTheyShare) {
   }
 }
 
+// What is filled as one is cut as one, and every brick is what its samples say.
+TEST(Bricks, FilledBlocks) {
+  for (const int interpolation : {INTERPOLATION_NEAREST, INTERPOLATION_TRILINEAR})
+    for (const Border border : {Border::CLAMP, Border::ZERO}) {
+      Grid grid({60, 44, 37});
+      grid.border = border;
+      grid.fill({3, 0, 5}, {59, 40, 36}, 2.0f);
+      grid.fill({16, 16, 16}, {31, 31, 23}, 5.0f);
+      grid.set({40, 20, 20}, 7.0f);  // its block is no longer shared
+      grid.set({48, 20, 20}, 2.0f);
+      EXPECT_EQ(grid.at({41, 20, 20}), 2.0f);
+      EXPECT_TRUE(grid.block_uniform({6, 2, 2}));
+      EXPECT_FALSE(grid.block_uniform({5, 2, 2}));
+      const Cut cut(grid, interpolation);
+      expect_bricks_of(grid, cut.scene, cut.medium);
+    }
+}
+
 TEST(Bricks, AGridOfZerosHasNone) {
   const Cut cut(Grid({20, 8, 8}), INTERPOLATION_TRILINEAR);
   EXPECT_TRUE(cut.scene.voxels.empty());

@@ -96,6 +96,9 @@ TEST(SceneSchema, ListsEveryFamily) {
   EXPECT_EQ(types("phase"), names(phase_family()));
   EXPECT_EQ(types("shape"), names(shape_family()));
   EXPECT_EQ(types("texture"), names(texture_family()));
+  const nlohmann::json& file = lists["density"]["oneOf"].back()["properties"];
+  EXPECT_EQ(file["level_set"]["enum"], names(level_set_family()));
+  EXPECT_EQ(file["negative"]["enum"], names(negative_family()));
 }
 
 }  // namespace

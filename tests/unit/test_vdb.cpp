@@ -63,13 +63,52 @@ TEST_F(Vdb, TakesTheGridThatIsMeant) {
                                             HasSubstr("'fire' (float, unknown)"), HasSubstr("'density'")));
   EXPECT_THAT(refusal(both, "velocity"),
               AllOf(HasSubstr("grid 'velocity': holds vec3s values"), HasSubstr("float, double")));
-  EXPECT_THAT(refusal(file({vec, grid_named("bool", "mask")}, "none.vdb")),
+  EXPECT_THAT(refusal(file({vec, grid_named("vec3d", "normal")}, "none.vdb")),
               HasSubstr("none of its grids can be a density"));
+}
+
+TEST_F(Vdb, ANameInAnotherCaseAndTheOnlyFloatsAreTaken) {
+  const auto fire = grid("fire", 2.0f), upper = grid("Density", 3.0f), lower = grid("density", 4.0f);
+  const auto count = grid<openvdb::Int32Grid>("count", 5);
+  EXPECT_EQ(volume_read(file({fire, upper})).name, "Density");
+  EXPECT_EQ(volume_read(file({upper, lower, fire})).name, "density");
+  EXPECT_EQ(volume_read(file({count, fire})).name, "fire");
+  EXPECT_EQ(volume_read(file({count})).name, "count");
+}
+
+// Names become text: what is none, is shown as '?' and asked for so.
+TEST_F(Vdb, NamesThatAreNoText) {
+  const fs::path path = file({grid("d\xff\n\xc3\xa4", 2.0f), grid("e", 3.0f)});
+  EXPECT_EQ(volume_list(path)[0].name, "d??\xc3\xa4");
+  EXPECT_EQ(volume_read(path, "d??\xc3\xa4").at({0, 0, 0}), 2.0f);
+}
+
+// Silence would be a guess: which one is meant is for the scene to say.
+TEST_F(Vdb, AmbiguousFilesAreAsked) {
+  openvdb::GridPtrVec many;
+  for (int i = 0; i < 30; ++i) many.push_back(grid("grid_" + std::to_string(i)));
+  EXPECT_THAT(refusal(file(many)), AllOf(HasSubstr("which grid? 'grid_0', 'grid_1'"), HasSubstr("'grid_7' and 22 more"),
+                                         HasSubstr("\"grid\" names one")));
+  EXPECT_THAT(refusal(file({grid("Density"), grid("DENSITY")})), HasSubstr("which grid? 'Density', 'DENSITY'"));
+  const VolumeFirst first = volume_read_first(file(many));
+  EXPECT_EQ(first.grid.name, "grid_0");
+  EXPECT_THAT(first.why, AllOf(HasSubstr("'grid_7' (float, unknown) and 22 more")));
+}
+
+// The first that can be one, not the first that looks like one.
+TEST_F(Vdb, TheFirstIsOneThatCanBe) {
+  const auto bad = grid("a", 1.0f, 0.5f), good = grid("b", 2.0f);
+  EXPECT_EQ(volume_read_first(file({bad, good})).grid.name, "b");
+  const auto level_set = grid("c", -0.5f, 1.5f);
+  level_set->setGridClass(openvdb::GRID_LEVEL_SET);
+  EXPECT_FALSE(volume_read_first(file({level_set, good})).fill);
+  EXPECT_TRUE(volume_read_first(file({level_set})).fill);
 }
 
 TEST_F(Vdb, SeveralGridsOfOneName) {
   const fs::path path = file({grid("density", 2.0f), grid("density", 3.0f)});
-  EXPECT_EQ(volume_read(path).at({0, 0, 0}), 2.0f);
+  EXPECT_THAT(refusal(path), HasSubstr("which grid? 'density[0]', 'density[1]'"));
+  EXPECT_EQ(volume_read_first(path).grid.at({0, 0, 0}), 2.0f);
   EXPECT_EQ(volume_read(path, "density[1]").at({0, 0, 0}), 3.0f);
   EXPECT_THAT(refusal(path, "density"),
               AllOf(HasSubstr("several grids 'density'"), HasSubstr("'density[0]'"), HasSubstr("'density[1]'")));
@@ -139,6 +178,19 @@ TEST_F(Vdb, ListsWhatAFileHolds) {
   EXPECT_EQ(list[1].index_min, ivec3(-1, 4, 5));
   EXPECT_EQ(list[1].index_max, ivec3(3, 9, 5));
   EXPECT_EQ(list[1].voxel_size, dvec3(0.125));
+}
+
+// Every grid by itself, and in one reading of the file.
+TEST_F(Vdb, ListsWhatCanBeADensityOnceItsVoxelsAreRead) {
+  const auto negative = grid("negative", -1.0f), bent = grid("bent", 1.0f, 0.5f);
+  const std::vector<VolumeGridInfo> list =
+      volume_list(file({negative, grid("fine", 2.0f), bent, grid_named("vec3s", "wind")}), true);
+  ASSERT_EQ(list.size(), 4u);
+  EXPECT_THAT(list[0].refusal, HasSubstr("1 voxels are negative"));
+  EXPECT_TRUE(list[1].can_be_density());
+  EXPECT_EQ(list[1].density.value().max, 2.0f);
+  EXPECT_THAT(list[2].refusal, HasSubstr("has the background 0.5"));
+  EXPECT_THAT(list[3].refusal, HasSubstr("holds vec3s values"));
 }
 
 TEST_F(Vdb, RealFiles) {

@@ -19,6 +19,19 @@ TEST_F(VdbTypes, ReadsEveryScalarType) {
   EXPECT_EQ(volume_read(file({half})).at({0, 0, 0}), 0.0999755859375f);  // nearest 16-bit float
 }
 
+TEST_F(VdbTypes, MasksAreZeroAndOne) {
+  const auto flags = grid<openvdb::BoolGrid>("a", true, false);
+  flags->tree().setValueOn(Coord(4, 4, 5), false);
+  const Grid read = volume_read(file({flags}));
+  EXPECT_EQ(read.size(), ivec3(2, 1, 1));
+  EXPECT_EQ(read.at({0, 0, 0}), 1.0f);
+  EXPECT_EQ(read.at({1, 0, 0}), 0.0f);
+  const auto mask = openvdb::MaskGrid::create();
+  mask->setName("a");
+  mask->tree().setValueOn(Coord(3, 4, 5));
+  EXPECT_EQ(volume_read(file({mask})).at({0, 0, 0}), 1.0f);
+}
+
 TEST_F(VdbTypes, RefusesDoublesThatNoFloatHolds) {
   EXPECT_THAT(refusal(file({grid<openvdb::DoubleGrid>("big", 1e300)})), HasSubstr("grid 'big': 1 voxels"));
 }

@@ -1,55 +1,59 @@
-// Grid -> OpenVDB file.
-#include <openvdb/openvdb.h>
-
+// Grid -> OpenVDB file, written by brume-volume.
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
 #include "volume/formats/openvdb.hpp"
-#include "volume/formats/openvdb_file.hpp"
+#include "volume/volume_program.hpp"
 
 namespace brume {
 
 namespace {
 
-openvdb::math::Transform::Ptr transform_of(const Grid& grid) {
-  const dmat4 world_from_index = glm::translate(grid.world_from_lattice, dvec3(0.5));
-  openvdb::Mat4R rows;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) rows(i, j) = world_from_index[i][j];
-  return openvdb::math::Transform::createLinearTransform(rows);
+VolumeLeaf leaf_of(ivec3 block, const float* samples) {
+  VolumeLeaf leaf{};
+  for (int axis = 0; axis < 3; ++axis) leaf.origin[axis] = block[axis] * GRID_BLOCK;
+  for (int z = 0; z < GRID_BLOCK; ++z)
+    for (int y = 0; y < GRID_BLOCK; ++y)
+      for (int x = 0; x < GRID_BLOCK; ++x) leaf.values[(x << 6) | (y << 3) | z] = *samples++;
+  return leaf;
 }
 
-openvdb::FloatGrid::Ptr vdb_of(const Grid& grid) {
-  const openvdb::FloatGrid::Ptr vdb = openvdb::FloatGrid::create(0.0f);
-  auto accessor = vdb->getAccessor();
-  grid_visit_stored(grid, [&](ivec3 i, float value) {
-    if (value != 0.0f) accessor.setValueOn(openvdb::Coord(i.x, i.y, i.z), value);
-  });
-  // the outermost corners, whatever they hold: a reader then finds the same bounds
-  const ivec3 last = grid.size() - 1;
-  accessor.setActiveState(openvdb::Coord(0, 0, 0), true);
-  accessor.setActiveState(openvdb::Coord(last.x, last.y, last.z), true);
-  vdb->tree().prune();  // blocks of one value become tiles
-  vdb->setName(grid.name.empty() ? "density" : grid.name);
-  vdb->setGridClass(openvdb::GRID_FOG_VOLUME);
-  vdb->setTransform(transform_of(grid));
-  return vdb;
+bool send_grid(HelperProgram& program, const Grid& grid, const std::string& path, bool half) {
+  VolumeWriteHead head{half, {grid.size().x, grid.size().y, grid.size().z}, {}};
+  const dmat4 world_from_index = glm::translate(grid.world_from_lattice, dvec3(0.5));
+  std::memcpy(head.world_from_index, glm::value_ptr(world_from_index), sizeof head.world_from_index);
+  const std::string name = grid.name.empty() ? "density" : grid.name;
+  if (!volume_send(program, VolumeFrame::WRITE, &head, sizeof head, volume_texts({path, name}))) return false;
+  const ivec3 blocks = grid.blocks();
+  for (ivec3 b(0); b.z < blocks.z; ++b.z)
+    for (b.y = 0; b.y < blocks.y; ++b.y)
+      for (b.x = 0; b.x < blocks.x; ++b.x) {
+        if (grid.block_empty(b)) continue;
+        const VolumeLeaf leaf = leaf_of(b, grid.block(b));
+        if (!volume_send(program, VolumeFrame::LEAVES, &leaf, sizeof leaf)) return false;
+      }
+  return volume_send(program, VolumeFrame::DONE, nullptr, 0);
 }
 
 }  // namespace
 
 void vdb_write(const Grid& grid, const std::filesystem::path& file, VdbPrecision precision) {
   AtomicFile target(file);
-  try {
-    openvdb::initialize();
-    const openvdb::FloatGrid::Ptr vdb = vdb_of(grid);
-    vdb->setSaveFloatAsHalf(precision == VdbPrecision::HALF);
-    openvdb::io::File(target.temporary().string()).write(openvdb::GridCPtrVec{vdb});
-    VdbFile(target.temporary());  // OpenVDB does not notice a full disk; its own offsets do
-  } catch (const std::exception& e) {
-    throw RuntimeError(file.string() + ": cannot be written: " + e.what());
+  HelperProgram program(volume_program_file());
+  VolumeFrameHead answer{};
+  VolumePayload payload;
+  bool answered = send_grid(program, grid, std::filesystem::absolute(target.temporary()).string(),
+                            precision == VdbPrecision::HALF) &&
+                  program.receive(&answer, sizeof answer) && answer.bytes <= VOLUME_FRAME_MAX;
+  if (answered) {
+    payload.bytes.resize(answer.bytes);
+    answered = program.receive(payload.bytes.data(), payload.bytes.size());
   }
+  if (!answered || answer.kind != VolumeFrame::DONE)
+    throw RuntimeError(file.string() + ": cannot be written: " +
+                       (answered ? payload.take_text() : "brume-volume ended by " + program.end()));
   target.commit();
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "volume/generators/generators.hpp"
 
 namespace brume {
@@ -84,7 +85,7 @@ class PerlinNoise {
 
 Grid density_perlin(const DensitySpec& spec) {
   if (!(spec.scale > 0 && spec.scale <= SCALE_MAX))
-    throw InputError("density 'perlin': scale: expected a number in (0, 1e9], got " + std::to_string(spec.scale));
+    throw InputError("density 'perlin': scale: expected a number in (0, 1e9], got " + number_text(spec.scale));
   if (spec.octaves < 1 || spec.octaves > OCTAVES_MAX)
     throw InputError("density 'perlin': octaves: expected 1 to 16, got " + std::to_string(spec.octaves));
   const PerlinNoise noise(spec.seed);

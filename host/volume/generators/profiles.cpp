@@ -3,13 +3,14 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "volume/generators/generators.hpp"
 
 namespace brume {
 
 Grid density_constant(const DensitySpec& spec) {
   if (!(spec.value >= 0 && spec.value <= FLT_MAX))
-    throw InputError("density 'constant': value: expected a finite number >= 0, got " + std::to_string(spec.value));
+    throw InputError("density 'constant': value: expected a finite number >= 0, got " + number_text(spec.value));
   return grid_generate(spec, [&](ivec3) { return spec.value; });
 }
 

@@ -1,8 +1,8 @@
 // openvdb::io::File 10.0.1 does not look at its stream: a file cut within its header has no grids, one cut later has zeros,
 // both without an error. Here the stream throws at its end, and the offsets in the header are held against the size.
-// Out of reach: OpenVDB before 11.0 trusts the sizes inside compressed chunks, so that a chunk changed on purpose (or by
-// very bad luck) can make the decompressor read or write out of bounds.
-#include "volume/formats/openvdb_file.hpp"
+// Out of reach: OpenVDB before 11.0 trusts the sizes inside compressed chunks, so that a changed byte can make the decompressor
+// read or write out of bounds. That is why all this runs in a process of its own.
+#include "vdb/vdb_file.hpp"
 
 #include <openvdb/io/io.h>
 
@@ -23,6 +23,10 @@ std::string name_of(const openvdb::io::GridDescriptor& descriptor) {
   return openvdb::io::GridDescriptor::nameAsString(descriptor.uniqueName());
 }
 
+std::string name_quoted(const openvdb::io::GridDescriptor& descriptor) {
+  return "grid '" + vdb_printable(name_of(descriptor)) + "': ";
+}
+
 }  // namespace
 
 std::string vdb_printable(const std::string& text) {
@@ -32,18 +36,18 @@ std::string vdb_printable(const std::string& text) {
   return text.size() > NAME_MAX_SHOWN ? shown + "..." : shown;
 }
 
-void vdb_guard(const fs::path& file, const std::function<void()>& work) {
+std::string vdb_guard(const std::function<void()>& work) {
   try {
     work();
-  } catch (const InputError&) {
-    throw;
+    return "";
+  } catch (const InputError& e) {
+    return e.what();
   } catch (const std::ios_base::failure&) {
-    throw InputError(file.string() + ": cannot be read: the file ends too early; it is cut short or damaged");
+    return "cannot be read: the file ends too early; it is cut short or damaged";
   } catch (const std::bad_alloc&) {
-    throw InputError(file.string() +
-                     ": cannot be read: it asks for more memory than there is; it is damaged or too large");
+    return "cannot be read: asks for more memory than 1 GiB and 20 times its size; it is damaged";
   } catch (const std::exception& e) {
-    throw InputError(file.string() + ": cannot be read: OpenVDB says " + vdb_printable(e.what()));
+    return "cannot be read: OpenVDB says " + vdb_printable(e.what());
   }
 }
 
@@ -51,15 +55,14 @@ VdbFile::VdbFile(const fs::path& file) : file_(file), stream_metadata_(new openv
   static const bool once = (openvdb::initialize(), true);
   static_cast<void>(once);
   in_.open(file, std::ios::binary);
-  if (!in_) throw InputError(file.string() + ": cannot be opened: " + std::strerror(errno));
+  if (!in_) throw InputError(std::string("cannot be opened: ") + std::strerror(errno));
   in_.exceptions(std::ios::failbit | std::ios::badbit);
   readHeader(in_);
   if (!inputHasGridOffsets())
-    throw InputError(file.string() +
-                     ": was written as a stream; expected a file with grid offsets, as vdb tools write");
+    throw InputError("was written as a stream; expected a file with grid offsets, as vdb tools write");
   if (fileVersion() < openvdb::OPENVDB_FILE_VERSION_GRID_INSTANCING)
-    throw InputError(file.string() + ": has the old file version " + std::to_string(fileVersion()) +
-                     ", expected at least " + std::to_string(openvdb::OPENVDB_FILE_VERSION_GRID_INSTANCING));
+    throw InputError("has the old file version " + std::to_string(fileVersion()) + ", expected at least " +
+                     std::to_string(openvdb::OPENVDB_FILE_VERSION_GRID_INSTANCING));
   stream_metadata_->setSeekable(true);
   openvdb::io::setStreamMetadataPtr(in_, stream_metadata_, /*transfer=*/false);
   setFormatVersion(in_);
@@ -73,17 +76,16 @@ void VdbFile::entries_read() {
   const auto size = static_cast<std::int64_t>(fs::file_size(file_));
   const int grids = readGridCount(in_);
   if (grids < 1 || grids > GRIDS_MAX)
-    throw InputError(file_.string() + ": holds " + std::to_string(grids) + " grids, expected 1 to " +
-                     std::to_string(GRIDS_MAX));
+    throw InputError("holds " + std::to_string(grids) + " grids, expected 1 to " + std::to_string(GRIDS_MAX));
   for (int i = 0; i < grids; ++i) {
     Entry entry;
     entry.type = entry.descriptor.read(in_)->type();
     const std::int64_t here = in_.tellg(), begin = entry.descriptor.getGridPos(), end = entry.descriptor.getEndPos();
     if (end > size)
-      throw InputError(place(entry) + ": ends at byte " + std::to_string(end) + ", but the file has only " +
-                       std::to_string(size) + "; it is cut short or damaged");
+      throw InputError(name_quoted(entry.descriptor) + "ends at byte " + std::to_string(end) +
+                       ", but the file has only " + std::to_string(size) + "; it is cut short or damaged");
     if (begin < here || end < begin)
-      throw InputError(place(entry) + ": lies at impossible offsets; the file is damaged");
+      throw InputError(name_quoted(entry.descriptor) + "lies at impossible offsets; the file is damaged");
     entry.descriptor.seekToEnd(in_);
     entries_.push_back(std::move(entry));
   }
@@ -92,12 +94,6 @@ void VdbFile::entries_read() {
 std::string VdbFile::name(std::size_t i) const { return name_of(entries_[i].descriptor); }
 
 std::string VdbFile::plain_name(std::size_t i) const { return entries_[i].descriptor.gridName(); }
-
-std::string VdbFile::place(std::size_t i) const { return place(entries_[i]); }
-
-std::string VdbFile::place(const Entry& entry) const {
-  return file_.string() + ": grid '" + vdb_printable(name_of(entry.descriptor)) + "'";
-}
 
 openvdb::GridBase::Ptr VdbFile::read(std::size_t i, VdbDepth depth) {
   const Entry& entry = entries_[i];
@@ -120,7 +116,7 @@ openvdb::GridBase::Ptr VdbFile::read_own(const Entry& entry, VdbDepth depth) {
   if (depth == VdbDepth::ALL) {
     readGrid(grid, entry.descriptor, in_);
     if (in_.tellg() != std::istream::pos_type(entry.descriptor.getEndPos()))
-      throw InputError(place(entry) + ": its data end at byte " + std::to_string(in_.tellg()) + " and not at " +
+      throw InputError("its data end at byte " + std::to_string(in_.tellg()) + " and not at " +
                        std::to_string(entry.descriptor.getEndPos()) + " as the header says; the file is damaged");
     return grid;
   }

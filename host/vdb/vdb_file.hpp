@@ -1,5 +1,5 @@
 // An OpenVDB file opened strictly: what openvdb::io::File reads, but a file that ends early is an error instead of zeros.
-// Sees OpenVDB headers, so only for the .cpp files beside it.
+// Messages leave out the file, which the other side knows. Private to host/vdb.
 #pragma once
 #include <openvdb/io/Archive.h>
 #include <openvdb/io/GridDescriptor.h>
@@ -16,8 +16,8 @@ namespace brume {
 // A name out of a file, fit for a line of text: control and non-ASCII bytes become '?', long ones are cut.
 std::string vdb_printable(const std::string& text);
 
-// Runs `work`; whatever OpenVDB throws becomes an InputError "file: cannot be read: ...".
-void vdb_guard(const std::filesystem::path& file, const std::function<void()>& work);
+// Runs `work`; says what it threw: "cannot be read: ...", "" if nothing.
+std::string vdb_guard(const std::function<void()>& work);
 
 // How much of a grid to read: without the voxels' values a grid still has its background, tiles and active voxels.
 enum class VdbDepth { METADATA, TOPOLOGY, ALL };
@@ -30,7 +30,7 @@ class VdbFile : private openvdb::io::Archive {
   std::size_t count() const { return entries_.size(); }
   std::string name(std::size_t i) const;        // readable and unique: "density[1]" where several share a name
   std::string plain_name(std::size_t i) const;  // "density"
-  std::string place(std::size_t i) const;       // "file: grid 'density'", for messages
+  const std::string& type(std::size_t i) const { return entries_[i].type; }
   openvdb::GridBase::Ptr read(std::size_t i, VdbDepth depth);
 
  private:
@@ -39,7 +39,6 @@ class VdbFile : private openvdb::io::Archive {
     std::string type;
   };
   void entries_read();
-  std::string place(const Entry& entry) const;
   openvdb::GridBase::Ptr read_own(const Entry& entry, VdbDepth depth);
 
   std::filesystem::path file_;

@@ -83,7 +83,7 @@ nlohmann::json json_parse(std::string_view text, const std::string& file) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     throw InputError(file + ": is empty, expected JSON text");
   if (text.find('\0') != std::string_view::npos)
-    throw InputError(file + ": holds zero bytes, expected JSON text in UTF-8");
+    throw InputError(file + ": is not a plain text file (binary or UTF-16), expected JSON text in UTF-8");
   const char* begin = text.data();
   const char* reached = begin;
   Watch watch;

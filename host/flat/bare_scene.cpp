@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 
 #include "base/error.hpp"
+#include "base/file_read.hpp"
 #include "flat/bounds.hpp"
 #include "flat/transform.hpp"
 #include "mesh/mesh.hpp"
@@ -158,7 +159,7 @@ constexpr BareRow BARE_FILES[] = {{".vdb", scene_of_volume}, {".obj", scene_of_m
 
 const BareRow* bare_row(const std::filesystem::path& file) {
   for (const BareRow& row : BARE_FILES)
-    if (file.extension() == row.extension) return &row;
+    if (file_ending(file) == row.extension) return &row;
   return nullptr;
 }
 

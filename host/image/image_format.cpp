@@ -2,16 +2,18 @@
 #include "image/image_format.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 
 #include "base/error.hpp"
+#include "base/file_read.hpp"
 
 namespace brume {
 
 using namespace std::string_view_literals;
+
+namespace {
+// Twice what is decoded at most: doubles, and mip maps.
+constexpr std::size_t IMAGE_FILE_BYTES_MAX = std::size_t(2) << 30;
+}  // namespace
 
 const std::vector<ImageFormat>& image_formats() {
   static const std::vector<ImageFormat> formats = {
@@ -33,8 +35,7 @@ std::string image_output_extensions() {
 }
 
 const ImageFormat& image_format_of_output(const std::filesystem::path& file) {
-  std::string extension = file.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const std::string extension = file_ending(file);
   for (const ImageFormat& format : image_formats()) {
     const auto& known = format.extensions;
     if (format.output != ImageOutput::NONE && std::find(known.begin(), known.end(), extension) != known.end())
@@ -45,13 +46,7 @@ const ImageFormat& image_format_of_output(const std::filesystem::path& file) {
 }
 
 const ImageFormat& image_format_of_content(const std::filesystem::path& file) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) throw InputError(file.string() + ": is a folder, not an image");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file.string() + ": cannot be opened: " + std::strerror(errno));
-  std::string head(16, '\0');
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(in.gcount()));
+  const std::string head = file_head(file, 16, IMAGE_FILE_BYTES_MAX, "an image");
   std::string names;
   for (const ImageFormat& format : image_formats()) {
     for (std::string_view magic : format.magics)

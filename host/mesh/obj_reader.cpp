@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <sstream>
 
 #include "base/error.hpp"
+#include "base/file_read.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/obj_text.hpp"
 #include "mesh/polygon.hpp"
@@ -19,6 +19,8 @@ namespace {
 
 using Path = std::filesystem::path;
 
+constexpr std::size_t MTL_BYTES_MAX = 64u << 20;
+
 [[noreturn]] void fail(const Path& file, const std::string& cause) { throw InputError(file.string() + ": " + cause); }
 
 // Reads MTL files beside the OBJ; a missing one is told, and the mesh goes on in grey.
@@ -27,9 +29,11 @@ class MaterialFiles : public tinyobj::MaterialReader {
   MaterialFiles(Path folder, std::vector<std::string>& notes) : folder_(std::move(folder)), notes_(notes) {}
   bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
                   std::map<std::string, int>* index, std::string* warning, std::string* error) override {
-    std::ifstream in(folder_ / name);
-    if (!in) {
-      notes_.push_back((folder_ / name).string() + ": the material library cannot be opened; the mesh is grey");
+    std::istringstream in;
+    try {
+      in.str(file_read_text(folder_ / name, MTL_BYTES_MAX, "a material library"));
+    } catch (const InputError& failure) {
+      notes_.push_back(std::string(failure.what()) + "; the mesh is grey");
       return false;
     }
     tinyobj::LoadMtl(index, materials, &in, warning, error);

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <fstream>
-#include <sstream>
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/file_read.hpp"
 
 namespace brume {
 
@@ -16,20 +15,9 @@ namespace {
 
 using Path = std::filesystem::path;
 
-[[noreturn]] void fail(const Path& file, const std::string& cause) { throw InputError(file.string() + ": " + cause); }
+constexpr std::size_t OBJ_BYTES_MAX = std::size_t(1) << 30;
 
-std::string file_text(const Path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) fail(file, "is a folder, expected an OBJ file");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) fail(file, "cannot be opened");
-  std::ostringstream out;
-  out << in.rdbuf();
-  std::string text = out.str();
-  if (text.find('\0') != std::string::npos)
-    fail(file, "is not a plain text file (UTF-16 or binary); OBJ files are ASCII or UTF-8");
-  return text;
-}
+[[noreturn]] void fail(const Path& file, const std::string& cause) { throw InputError(file.string() + ": " + cause); }
 
 // Takes the next word off the line; empty at its end.
 std::string_view word_take(std::string_view& line) {
@@ -61,7 +49,7 @@ class Reader {
   explicit Reader(const Path& file) : file_(file) {}
 
   ObjText run() {
-    const std::string text = file_text(file_);
+    const std::string text = file_read_text(file_, OBJ_BYTES_MAX, "an OBJ file");
     for (std::string_view rest = text; !rest.empty();) line_read(line_take(rest));
     for (const Kind& kind : kinds_)
       if (kind.largest > 0 && static_cast<std::size_t>(kind.largest) > kind.count)

@@ -1,13 +1,11 @@
 // See scene_reader.hpp: the whole file, camera, film, render settings, lights. Other parts: read_*.cpp.
 #include "scene/scene_reader.hpp"
 
-#include <cerrno>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <system_error>
 
 #include "base/error.hpp"
+#include "base/file_read.hpp"
 #include "scene/families.hpp"
 #include "scene/read_parts.hpp"
 
@@ -20,25 +18,6 @@ constexpr int LIGHT_GRID_MAX = 1024;
 constexpr std::size_t FILE_BYTES_MAX = 64u << 20;
 constexpr int FILM_SIDE_MAX = 65536;
 constexpr double STEP_MIN = 1e-6;  // of the medium's longest side: a million steps
-
-// By pieces, so that pipes work and an endless file does no harm.
-std::string file_text(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error))
-    throw InputError(file.string() + ": is a folder, expected a scene file");
-  errno = 0;
-  std::ifstream in(file, std::ios::binary);
-  if (!in) throw InputError(file.string() + ": cannot be opened: " + std::generic_category().message(errno));
-  std::string text;
-  std::vector<char> piece(1 << 16);
-  while (in.read(piece.data(), static_cast<std::streamsize>(piece.size())) || in.gcount() > 0) {
-    text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
-    if (text.size() > FILE_BYTES_MAX)
-      throw InputError(file.string() + ": larger than " + std::to_string(FILE_BYTES_MAX >> 20) +
-                       " MiB, which no scene needs");
-  }
-  return text;
-}
 
 CameraDesc read_camera(const JsonValue& scene) {
   CameraDesc c;
@@ -160,7 +139,7 @@ SceneDesc scene_read_text(std::string_view text, const std::filesystem::path& as
 }
 
 SceneDesc scene_read(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  return scene_read_text(file_text(file), file, overrides);
+  return scene_read_text(file_read_text(file, FILE_BYTES_MAX, "a scene file"), file, overrides);
 }
 
 }  // namespace brume

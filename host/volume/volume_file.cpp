@@ -2,6 +2,7 @@
 #include "volume/volume_file.hpp"
 
 #include "base/error.hpp"
+#include "base/file_read.hpp"
 #include "volume/formats/openvdb.hpp"
 
 namespace brume {
@@ -24,7 +25,7 @@ const FormatRow& format_of(const fs::path& file) {
   if (!fs::is_regular_file(status)) throw InputError(file.string() + ": not a regular file");
   std::string known;
   for (const FormatRow& row : FORMATS) {
-    if (file.extension() == row.extension) {
+    if (file_ending(file) == row.extension) {
       if (fs::file_size(file, failed) == 0) throw InputError(file.string() + ": the file is empty");
       return row;
     }

@@ -62,7 +62,7 @@ TEST(JsonParse, RefusesDeepNesting) {
 TEST(JsonParse, RefusesWhatIsNoText) {
   EXPECT_EQ(parse_error(""), "a.json: is empty, expected JSON text");
   EXPECT_EQ(parse_error(" \n\t"), "a.json: is empty, expected JSON text");
-  EXPECT_EQ(parse_error(std::string_view("{\0}", 3)), "a.json: holds zero bytes, expected JSON text in UTF-8");
+  EXPECT_EQ(parse_error(std::string_view("{\0}", 3)), "a.json: is not a plain text file (binary or UTF-16), expected JSON text in UTF-8");
   for (const char* text : {"\x89PNG\r\n\x1a\n", "\xff\xfe{}", "[\"\xff\"]", "\x1f\x8b\x08"})
     EXPECT_THAT(parse_error(text), testing::MatchesRegex("a.json: line 1, column [0-9]+: syntax error[ -~]*"));
 }

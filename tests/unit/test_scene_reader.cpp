@@ -85,9 +85,10 @@ TEST(SceneReader, FilesThatAreNoScenes) {
   EXPECT_THAT(error(folder / "none.json"), HasSubstr(": cannot be opened: No such file"));
   EXPECT_THAT(error(file("empty.json", "")), HasSubstr("empty.json: is empty"));
   EXPECT_THAT(error(file("picture.json", std::string_view("\x89PNG\r\n\x1a\n\0\0", 10))),
-              HasSubstr(": holds zero bytes"));
-  EXPECT_THAT(error(file("large.json", "{}" + std::string(64u << 20, ' '))), HasSubstr(": larger than 64 MiB"));
-  EXPECT_THAT(error("/dev/zero"), HasSubstr(": larger than 64 MiB"));
+              HasSubstr(": is not a plain text file"));
+  EXPECT_THAT(error(file("large.json", "{}" + std::string(64u << 20, ' '))),
+              HasSubstr(": is too large, expected a scene file of at most 64 MiB"));
+  EXPECT_THAT(error("/dev/zero"), HasSubstr(": is not a regular file"));
   EXPECT_EQ(error(file("bom.json", "\xEF\xBB\xBF{}")), "no error");
   std::filesystem::remove_all(folder);
 }

@@ -37,7 +37,6 @@ KERNELS = {
 LIBRARIES = {
     "CL/": "cl",
     "openvdb/": "volume",
-    "tiny_obj_loader": "mesh",
     "OpenImageIO/": "codec",
     "CLI/": "cli",
     "nlohmann/": "base scene check cli",

@@ -39,7 +39,6 @@ LIBRARIES = {
     "CL/": "cl",
     "openvdb/": "vdb",
     "tbb/": "vdb",
-    "tiny_obj_loader": "mesh",
     "OpenImageIO/": "codec",
     "CLI/": "cli",
     "nlohmann/": "base scene check cli",

@@ -155,7 +155,8 @@ std::vector<CheckRow> check_texture(Context& context, int lanes, int items) {
     }
     const std::vector<float> found = Probe(context, scene, lanes).run("probe_texture", in, 3, 4);
     const bool image = scene.textures[texture].type == TEXTURE_IMAGE;
-    ErrorSum sum(image ? "texture/image" : "texture/checker", lanes, "texture");
+    const char* name = !image ? "texture/checker" : scene.textures[texture].clamp ? "texture/clamped" : "texture/image";
+    ErrorSum sum(name, lanes, "texture");
     for (int i = 0; i < items; ++i)
       add3(sum, &found[4 * i],
            reference::texture_lookup(scene, static_cast<int>(texture), {in[3 * i + 1], in[3 * i + 2]}));

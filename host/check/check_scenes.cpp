@@ -31,7 +31,7 @@ constexpr SceneText SCENES[] = {
   "materials": {
     "image": {"model": "blinn_phong", "diffuse": [0.8, 0.7, 0.6], "specular": [0.3, 0.3, 0.3], "shininess": 40, "ambient": [0.5, 0.5, 0.5]},
     "checker": {"diffuse": [1, 1, 1], "texture": {"type": "checker", "colors": [[0.8, 0.8, 0.8], [0.2, 0.3, 0.2]], "scale": 2}},
-    "shiny": {"model": "phong", "diffuse": [0.3, 0.3, 0.5], "specular": [0.4, 0.4, 0.4], "shininess": 20, "emission": [0.02, 0, 0]}},
+    "shiny": {"model": "phong", "diffuse": [0.3, 0.3, 0.5], "specular": [0.4, 0.4, 0.4], "shininess": 20, "emission": [0.2, 0.1, 0]}},
   "shapes": [
     {"type": "sphere", "center": [-0.2, 0.1, 0.1], "radius": 0.55, "material": "image"},
     {"type": "cylinder", "base": [0.8, -0.45, 0.2], "top": [0.95, 0.4, 0], "radius": 0.25, "material": "shiny"},
@@ -235,16 +235,32 @@ void torus_smooth(FlatScene& scene) {
   });
 }
 
-// An image texture without a file: 32 x 24 random texels for the first material.
-void image_add(FlatScene& scene) {
+Texture image_texture(const FlatScene& scene) {
   Texture t{};
   t.type = TEXTURE_IMAGE;
   t.width = 32;
   t.height = 24;
   t.offset = static_cast<uint>(scene.texels.size() / 3);
+  t.uv_scale[0] = t.uv_scale[1] = t.gain = 1;
+  return t;
+}
+
+// Image textures without a file: 32 x 24 random texels for the first material; the same clamped and in other units for the light of
+// the last.
+void image_add(FlatScene& scene) {
+  Texture t = image_texture(scene);
   CheckRandom random;
   for (int i = 0; i < 3 * t.width * t.height; ++i) scene.texels.push_back(static_cast<float>(random.uniform(0, 1)));
   scene.materials[0].texture = static_cast<int>(scene.textures.size());
+  scene.textures.push_back(t);
+  t.clamp = 1;
+  t.uv_scale[0] = 1.5F;
+  t.uv_scale[1] = -0.5F;
+  t.uv_offset[0] = -0.25F;
+  t.uv_offset[1] = 0.75F;
+  t.base = -0.25F;
+  t.gain = 2;
+  scene.materials[2].emission_texture = static_cast<int>(scene.textures.size());
   scene.textures.push_back(t);
 }
 

@@ -1,4 +1,6 @@
 // Materials of the scene and of meshes, and their textures.
+#include <algorithm>
+#include <cstring>
 #include <map>
 
 #include "base/error.hpp"
@@ -15,7 +17,11 @@ class TextureTable {
   explicit TextureTable(FlatScene& scene) : scene_(scene) {}
 
   int add(const TextureDesc& desc) {
-    if (desc.type == TEXTURE_IMAGE) return add_image(desc.file);
+    if (desc.type == TEXTURE_IMAGE) {
+      MeshTexture plain;
+      plain.file = desc.file;
+      return add(plain);
+    }
     Texture t{};
     t.type = TEXTURE_CHECKER;
     t.color_a = packed(desc.colors[0]);
@@ -24,7 +30,25 @@ class TextureTable {
     return append(t);
   }
 
-  int add_image(const std::filesystem::path& file) {
+  // -1 for no file.
+  int add(const MeshTexture& desc) {
+    if (desc.file.empty()) return -1;
+    Texture t = image(desc.file);
+    for (int k = 0; k < 2; ++k) {
+      t.uv_scale[k] = static_cast<float>(desc.scale[k]);
+      t.uv_offset[k] = static_cast<float>(desc.offset[k]);
+    }
+    t.base = static_cast<float>(desc.base);
+    t.gain = static_cast<float>(desc.gain);
+    t.clamp = desc.clamp;
+    const auto same = [&](const Texture& other) { return std::memcmp(&other, &t, sizeof t) == 0; };
+    const auto known = std::find_if(scene_.textures.begin(), scene_.textures.end(), same);
+    return known != scene_.textures.end() ? static_cast<int>(known - scene_.textures.begin()) : append(t);
+  }
+
+ private:
+  // Where its texels are; the rest is 0.
+  const Texture& image(const std::filesystem::path& file) {
     const auto known = images_.find(file);
     if (known != images_.end()) return known->second;
     const Image image = image_read_texture(file);
@@ -41,17 +65,16 @@ class TextureTable {
       const auto begin = image.values.begin() + std::ptrdiff_t(row) * image.width * 3;
       scene_.texels.insert(scene_.texels.end(), begin, begin + std::ptrdiff_t(image.width) * 3);
     }
-    return images_[file] = append(t);
+    return images_[file] = t;
   }
 
- private:
   int append(const Texture& t) {
     scene_.textures.push_back(t);
     return static_cast<int>(scene_.textures.size()) - 1;
   }
 
   FlatScene& scene_;
-  std::map<std::filesystem::path, int> images_;
+  std::map<std::filesystem::path, Texture> images_;
 };
 
 Material material_flatten(const MaterialDesc& m, TextureTable& textures) {
@@ -66,10 +89,20 @@ Material material_flatten(const MaterialDesc& m, TextureTable& textures) {
   out.reflection = static_cast<float>(m.reflection);
   out.refraction = static_cast<float>(m.refraction);
   out.texture = m.texture ? textures.add(*m.texture) : -1;
+  out.emission_texture = -1;
   return out;
 }
 
-// A mesh's own material; a texture that cannot be used is told, not fatal: the scene file did not ask for it.
+// A texture of a mesh that cannot be used is told, not fatal: the scene file did not ask for it.
+int mesh_texture(const MeshTexture& texture, TextureTable& textures, std::vector<std::string>& notes) {
+  try {
+    return textures.add(texture);
+  } catch (const InputError& error) {
+    notes.push_back(std::string(error.what()) + "; the material goes without it");
+    return -1;
+  }
+}
+
 Material material_flatten(const MeshMaterial& m, TextureTable& textures, std::vector<std::string>& notes) {
   MaterialDesc desc;
   desc.diffuse = m.diffuse;
@@ -77,14 +110,13 @@ Material material_flatten(const MeshMaterial& m, TextureTable& textures, std::ve
   desc.ambient = m.ambient;
   desc.emission = m.emission;
   desc.shininess = m.shininess;
+  desc.reflection = m.reflection;
+  desc.refraction = m.refraction;
+  desc.ior = m.ior;
   desc.model = m.specular == dvec3(0) ? MATERIAL_LAMBERT : MATERIAL_BLINN_PHONG;
   Material out = material_flatten(desc, textures);
-  if (m.texture.empty()) return out;
-  try {
-    out.texture = textures.add_image(m.texture);
-  } catch (const InputError& error) {
-    notes.push_back(std::string(error.what()) + "; the material goes without it");
-  }
+  out.texture = mesh_texture(m.texture, textures, notes);
+  out.emission_texture = mesh_texture(m.emission_texture, textures, notes);
   return out;
 }
 

@@ -96,7 +96,7 @@ Mesh mesh_of(const TriangleDesc& t) {
 Mesh mesh_load(const MeshDesc& desc, std::vector<std::string>& notes) {
   Mesh mesh = mesh_read_obj(desc.file);
   notes.insert(notes.end(), mesh.notes.begin(), mesh.notes.end());
-  if (desc.shading == MeshShading::PHONG) mesh_complete_normals(mesh);
+  if (desc.shading == MeshShading::PHONG) mesh_complete_normals(mesh, desc.crease);
   const dmat4 m = transform_matrix(desc.transform);
   const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(m)));
   for (dvec3& p : mesh.positions) p = transform_point(m, p);

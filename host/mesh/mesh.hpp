@@ -4,21 +4,34 @@
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace brume {
 
+// base + gain * the image at scale * uv + offset, repeated, or with its outermost texels going on where it is clamped.
+struct MeshTexture {
+  std::filesystem::path file;  // resolved; empty for none
+  glm::dvec2 scale{1}, offset{0};
+  double base = 0, gain = 1;
+  bool clamp = false;
+};
+
 struct MeshMaterial {
   std::string name;
   glm::dvec3 diffuse{0.5}, specular{0}, ambient{0}, emission{0};
-  double shininess = 50;
-  std::filesystem::path texture;  // map_Kd, resolved; empty for none
+  double shininess = 50, reflection = 0, refraction = 0, ior = 1.5;
+  MeshTexture texture, emission_texture;  // times diffuse, times emission
 };
+
+constexpr int GROUP_ALL = -1;  // of a face that no smoothing group was said for
+constexpr int GROUP_FLAT = 0;  // "s off"
 
 struct MeshTriangle {
   std::array<int, 3> position, normal, uv;  // indices; normal and uv are -1 where the file gives none
   int material = -1;                        // index into Mesh::materials, -1 for none
+  int group = GROUP_ALL;                    // smoothing group; normals are joined within one only
 };
 
 struct Mesh {
@@ -26,14 +39,16 @@ struct Mesh {
   std::vector<glm::dvec2> uvs;
   std::vector<MeshTriangle> triangles;
   std::vector<MeshMaterial> materials;
-  std::vector<std::string> notes;  // what a user should be told: missing MTL, dropped triangles, ...
+  std::vector<std::string>
+      notes;  // what a user should be told: missing MTL, dropped triangles, lines that are not read, ...
 };
 
-// Throws InputError for a file that is missing, has no triangle, an index out of range, a NaN vertex, or syntax that the parser
-// would only guess at.
+// Throws InputError for a file that is missing, has no triangle, an index out of range, a vertex beyond 1e38, a number of the MTL
+// beyond float, or syntax at whose meaning one would only guess.
 Mesh mesh_read_obj(const std::filesystem::path& file);
 
-// Gives every corner without a normal one: the angle-weighted mean over the triangles that share its position [Thuermer98].
-void mesh_complete_normals(Mesh& mesh);
+// Gives every corner without a normal one: the angle-weighted mean over the triangles of its smoothing group that share its
+// position [Thuermer98]; with `crease` (degrees) only over those that edges of at most this angle join to it.
+void mesh_complete_normals(Mesh& mesh, std::optional<double> crease = {});
 
 }  // namespace brume

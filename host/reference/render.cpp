@@ -26,7 +26,7 @@ Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& 
                   double& lookups) {
   const FlatScene& scene = context.scene;
   const Material& material = scene.materials[static_cast<std::size_t>(surface.material)];
-  Lit lit{vec_promote(material.emission) + vec_promote(material.ambient) * vec_promote(scene.frame.ambient)};
+  Lit lit{surface.emission + vec_promote(material.ambient) * vec_promote(scene.frame.ambient)};
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     const dvec3 to_light = -light_at(scene.lights[i], surface.point).travel;
     if (!(glm::dot(surface.normal, to_light) > 0)) continue;

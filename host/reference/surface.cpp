@@ -78,8 +78,10 @@ Geometry triangle_geometry(const Triangle& triangle, double u, double v) {
           w * dvec2(uv[0], uv[1]) + u * dvec2(uv[2], uv[3]) + v * dvec2(uv[4], uv[5])};
 }
 
-dvec3 image_lookup(const FlatScene& scene, const Texture& texture, const dvec2& uv) {
+dvec3 image_lookup(const FlatScene& scene, const Texture& texture, const dvec2& at) {
   const dvec2 size(texture.width, texture.height);
+  dvec2 uv(texture.uv_scale[0] * at.x + texture.uv_offset[0], texture.uv_scale[1] * at.y + texture.uv_offset[1]);
+  if (texture.clamp) uv = glm::clamp(uv, 0.5 / size, 1.0 - 0.5 / size);  // centres of the outermost texels
   const dvec2 p = uv * size - 0.5, base(std::floor(p.x), std::floor(p.y)), blend = p - base;
   const auto texel = [&](double dx, double dy) {
     const dvec2 i = base + dvec2(dx, dy), wrapped = i - size * glm::floor(i / size);
@@ -88,7 +90,8 @@ dvec3 image_lookup(const FlatScene& scene, const Texture& texture, const dvec2& 
   };
   const dvec3 lower = (1 - blend.x) * texel(0, 0) + blend.x * texel(1, 0);
   const dvec3 upper = (1 - blend.x) * texel(0, 1) + blend.x * texel(1, 1);
-  return (1 - blend.y) * lower + blend.y * upper;
+  const dvec3 color = (1 - blend.y) * lower + blend.y * upper;
+  return glm::max(static_cast<double>(texture.base) + static_cast<double>(texture.gain) * color, dvec3(0));
 }
 
 // What the specular lobe raises to the shininess.
@@ -127,6 +130,8 @@ SurfaceD surface_at(const FlatScene& scene, const RayD& ray, const HitD& hit) {
     surface.diffuse *= texture_lookup(scene, material.texture, surface.uv);
     surface.checker = texture_checker(scene.textures[static_cast<std::size_t>(material.texture)], surface.uv);
   }
+  surface.emission = vec_promote(material.emission);
+  if (material.emission_texture >= 0) surface.emission *= texture_lookup(scene, material.emission_texture, surface.uv);
   const dvec3 size = glm::abs(surface.point);
   surface.ray_epsilon = 0x1p-17 * std::max({size.x, size.y, size.z, hit.t});
   return surface;

@@ -11,6 +11,7 @@ struct SurfaceD {
   dvec3 geometric_normal{0};  // unit, faces the viewer
   dvec3 normal{0};            // unit shading normal, flipped together with the geometric one
   dvec3 diffuse{0};           // material diffuse times texture
+  dvec3 emission{0};          // material emission times its texture
   dvec2 uv{0};
   int material = 0;
   bool leaving = false;    // hit from inside: from the side to which the shape's own normal does not point

@@ -68,6 +68,7 @@ Geometry read_mesh(const JsonValue& s, const Folder& folder) {
   refuse_reserved(s, Part::MESH);
   out.shading =
       static_cast<MeshShading>(s.member("shading", static_cast<int>(out.shading), mesh_shading_family(), "shading"));
+  if (s.has("crease")) out.crease = s.get("crease").as_number(Range::closed(0, 180));
   out.transform = read_transform(s);
   return out;
 }

@@ -100,6 +100,7 @@ enum class MeshShading { FLAT, PHONG };
 struct MeshDesc {
   std::filesystem::path file;
   MeshShading shading = MeshShading::PHONG;
+  std::optional<double> crease;  // degrees, in [0, 180]: sharper edges are not smoothed
   TransformDesc transform;
 };
 

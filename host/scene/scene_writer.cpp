@@ -107,10 +107,12 @@ struct GeometryJson {
     return {{"type", "triangle"}, {"vertices", {vec(t.vertices[0]), vec(t.vertices[1]), vec(t.vertices[2])}}};
   }
   Json operator()(const MeshDesc& m) const {
-    return {{"type", "mesh"},
-            {"file", path_text(m.file, folder)},
-            {"shading", family_name(mesh_shading_family(), static_cast<int>(m.shading))},
-            {"transform", transform_json(m.transform)}};
+    Json json{{"type", "mesh"},
+              {"file", path_text(m.file, folder)},
+              {"shading", family_name(mesh_shading_family(), static_cast<int>(m.shading))},
+              {"transform", transform_json(m.transform)}};
+    if (m.crease) json["crease"] = number(*m.crease);
+    return json;
   }
 };
 

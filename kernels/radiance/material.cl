@@ -8,25 +8,25 @@ static inline float3 texel_load(const Scene* scene, const Texture* t, int x, int
   return (float3)(p[0], p[1], p[2]);
 }
 
-// Index of the texel left of x and its right neighbour, repeated; returns the weight of the neighbour.
-static inline float texel_pair(float x, int n, int* i0, int* i1) {
-  const float wrapped = (x - floor(x)) * (float)n - 0.5f;
+// Index of the texel left of x and its right neighbour, repeated or clamped; returns the weight of the neighbour.
+static inline float texel_pair(float x, int n, int clamped, int* i0, int* i1) {
+  const float wrapped = (clamped ? clamp(x, 0.0f, 1.0f) : x - floor(x)) * (float)n - 0.5f;
   const float low = floor(wrapped);
   const int i = (int)low;
-  *i0 = i < 0 ? n - 1 : min(i, n - 1);
-  *i1 = *i0 + 1 >= n ? 0 : *i0 + 1;
+  *i0 = i < 0 ? (clamped ? 0 : n - 1) : min(i, n - 1);
+  *i1 = i < 0 ? 0 : (*i0 + 1 >= n ? (clamped ? n - 1 : 0) : *i0 + 1);
   return wrapped - low;
 }
 
 static inline float3 texture_image(const Scene* scene, const Texture* t, float2 uv) {
   int x0, x1, y0, y1;
-  const float fx = texel_pair(uv.x, t->width, &x0, &x1);
-  const float fy = texel_pair(uv.y, t->height, &y0, &y1);
+  const float fx = texel_pair(t->uv_scale[0] * uv.x + t->uv_offset[0], t->width, t->clamp, &x0, &x1);
+  const float fy = texel_pair(t->uv_scale[1] * uv.y + t->uv_offset[1], t->height, t->clamp, &y0, &y1);
   const float3 a = texel_load(scene, t, x0, y0), b = texel_load(scene, t, x1, y0);
   const float3 c = texel_load(scene, t, x0, y1), d = texel_load(scene, t, x1, y1);
   const float3 low = a + fx * (b - a);
   const float3 high = c + fx * (d - c);
-  return low + fy * (high - low);
+  return fmax(t->base + t->gain * (low + fy * (high - low)), 0.0f);
 }
 
 // Color of the texture; *second is set where the hit lies in the second color of a checker.
@@ -45,6 +45,15 @@ static inline float3 material_diffuse(const Scene* scene, const Material* m, flo
   if (m->texture >= 0) diffuse *= texture_lookup(scene, m->texture, uv, second);
 #endif
   return diffuse;
+}
+
+static inline float3 material_emission(const Scene* scene, const Material* m, float2 uv) {
+  float3 emission = vec_unpack(m->emission);
+#if BRUME_TEXTURED
+  uint second;
+  if (m->emission_texture >= 0) emission *= texture_lookup(scene, m->emission_texture, uv, &second);
+#endif
+  return emission;
 }
 
 // Radiance towards the viewer per irradiance E, for light that arrives along -to_light (N·L > 0 is the caller's to check).

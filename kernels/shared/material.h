@@ -36,14 +36,16 @@ typedef struct {
   int texture;  // index into the textures, -1 for none
   Packed3 emission;
   float ior;
-  float reflection;  // weight of the mirrored ray
-  float refraction;  // weight of the transmitted ray
-  float pad[2];
+  float reflection;      // weight of the mirrored ray
+  float refraction;      // weight of the transmitted ray
+  int emission_texture;  // an image, times emission; -1 for none
+  float pad;
 } Material;
 BRUME_LAYOUT(Material, 80);
 
 // checker: color_a where floor(u scale) + floor(v scale) is even, color_b elsewhere.
-// image: texel (x, row) of linear RGB at texels[3 * (offset + row * width + x)]; row 0 is the BOTTOM row (v = 0).
+// image: texel (x, row) of linear RGB at texels[3 * (offset + row * width + x)]; row 0 is the BOTTOM row (v = 0). It is looked up at
+// uv_scale * uv + uv_offset, repeated or clamped to the outermost texels; its color is base + gain * texel, 0 where that is negative.
 typedef struct {
   int type;
   int width;
@@ -52,8 +54,13 @@ typedef struct {
   Packed3 color_a;
   float scale;
   Packed3 color_b;
-  float pad;
+  int clamp;  // 0: repeated
+  float uv_scale[2];
+  float uv_offset[2];
+  float base;
+  float gain;
+  float pad[2];
 } Texture;
-BRUME_LAYOUT(Texture, 48);
+BRUME_LAYOUT(Texture, 80);
 BRUME_SHARED_END
 #endif

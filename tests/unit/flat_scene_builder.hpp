@@ -35,7 +35,7 @@ inline FlatScene scene_empty(int size = 1) {
 inline Material& material_add(FlatScene& scene, double diffuse = 1) {
   Material material{};
   material.diffuse = grey(diffuse);
-  material.texture = -1;
+  material.texture = material.emission_texture = -1;
   scene.materials.push_back(material);
   return scene.materials.back();
 }

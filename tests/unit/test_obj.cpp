@@ -124,11 +124,11 @@ TEST_F(Obj, MaterialsAreThoseOfTheMtl) {
   expect_near(red.specular, {0.5, 0.4, 0.3});
   expect_near(red.emission, {2, 3, 4});
   EXPECT_EQ(red.shininess, 32);
-  EXPECT_EQ(red.texture, folder_ / "maps/wood.png");
+  EXPECT_EQ(red.texture.file, folder_ / "maps/wood.png");
   EXPECT_EQ(plain.name, "plain");
   expect_near(plain.diffuse, {0, 0.5, 1});
   expect_near(plain.emission, {0, 0, 0});
-  EXPECT_TRUE(plain.texture.empty());
+  EXPECT_TRUE(plain.texture.file.empty());
   std::vector<int> used;
   for (const MeshTriangle& t : mesh.triangles) used.push_back(t.material);
   EXPECT_THAT(used, ElementsAre(-1, 1, 0, 0, 0));

@@ -99,6 +99,7 @@ TEST(ReferenceTexture, BilinearWithRepeat) {
   texture.type = TEXTURE_IMAGE;
   texture.width = texture.height = 2;
   texture.offset = 1;
+  texture.uv_scale[0] = texture.uv_scale[1] = texture.gain = 1;
   scene.textures.push_back(texture);
   const auto value = [&](double u, double v) { return texture_lookup(scene, 0, {u, v}).x; };
   EXPECT_DOUBLE_EQ(value(0.25, 0.25), 1);  // texel centres
@@ -111,6 +112,47 @@ TEST(ReferenceTexture, BilinearWithRepeat) {
   EXPECT_DOUBLE_EQ(value(1, 0.25), 1.5);
   EXPECT_DOUBLE_EQ(value(0.25, 0), 2);
   EXPECT_DOUBLE_EQ(value(-3.75, 7.25), 1);
+}
+
+TEST(ReferenceTexture, ScaledShiftedClampedAndInOtherUnits) {
+  FlatScene scene;  // texels: bottom row 1 2, top row 3 5
+  scene.texels = {1, 1, 1, 2, 2, 2, 3, 3, 3, 5, 5, 5};
+  Texture texture{};
+  texture.type = TEXTURE_IMAGE;
+  texture.width = texture.height = 2;
+  texture.uv_scale[0] = 2;
+  texture.uv_scale[1] = 1;
+  texture.uv_offset[0] = 0.25;
+  texture.uv_offset[1] = -0.5;
+  texture.base = -4;
+  texture.gain = 2;
+  scene.textures.push_back(texture);
+  const auto value = [&](double u, double v) { return texture_lookup(scene, 0, {u, v}).x; };
+  EXPECT_DOUBLE_EQ(value(0.25, 1.25), 6);  // (0.75, 0.75): 5
+  EXPECT_DOUBLE_EQ(value(0, 1.25), 2);     // (0.25, 0.75): 3
+  EXPECT_DOUBLE_EQ(value(0.5, 0.25), 2);   // (1.25, -0.25) is (0.25, 0.75)
+  EXPECT_DOUBLE_EQ(value(0, 0.75), 0);     // (0.25, 0.25): -4 + 2
+  scene.textures[0].clamp = 1;
+  EXPECT_DOUBLE_EQ(value(0.5, 1.25), 6);  // the right column goes on
+  EXPECT_DOUBLE_EQ(value(-9, 9), 2);
+  EXPECT_DOUBLE_EQ(value(0.5, 0.25), 0);   // right of the lower row
+  EXPECT_DOUBLE_EQ(value(0.375, 1.5), 6);  // (1, 1): no blend with the other side
+}
+
+TEST(ReferenceTexture, EmissionHasATextureOfItsOwn) {
+  FlatScene scene;
+  test::shape_add(scene, SHAPE_PLANE, {0, 0, 0, 0, 0, 1, 1, 0, 0});
+  scene.materials[0].emission = test::grey(2);
+  EXPECT_EQ(look(scene, {0, 0, 1}, {0, 0, -1}).emission, dvec3(2));
+  scene.texels = {0.5F, 0.25F, 1};
+  Texture texture{};
+  texture.type = TEXTURE_IMAGE;
+  texture.width = texture.height = 1;
+  texture.gain = 1;
+  scene.textures.push_back(texture);
+  scene.materials[0].emission_texture = 0;
+  EXPECT_EQ(look(scene, {0, 0, 1}, {0, 0, -1}).emission, dvec3(1, 0.5, 2));
+  EXPECT_EQ(look(scene, {0, 0, 1}, {0, 0, -1}).diffuse, dvec3(1));
 }
 
 TEST(ReferenceTexture, CheckerAlternatesAcrossTheOrigin) {

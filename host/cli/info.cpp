@@ -59,7 +59,8 @@ Json info_mesh(const Path& file) {
     hi = glm::max(hi, p);
   }
   Json materials = Json::array();
-  for (const MeshMaterial& m : mesh.materials) materials.push_back({{"name", m.name}, {"texture", m.texture.file.string()}});
+  for (const MeshMaterial& m : mesh.materials)
+    materials.push_back({{"name", m.name}, {"texture", m.texture.file.string()}});
   return {{"file", file.string()},
           {"kind", "mesh"},
           {"triangles", mesh.triangles.size()},

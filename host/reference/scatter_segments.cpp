@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 #include "reference/light_grid.hpp"
 #include "reference/phase.hpp"
@@ -56,7 +57,11 @@ dvec3 light_transmittance(const Context& context, const Segment& at, std::size_t
     return light_depth(context, at.medium, light, ray.at(t), at.random.child(stream + l), lookups);
   };
   if (!at.dense) return transmittance_of(depth(at.t, STREAM_LIGHT));
-  const dvec3 begin = depth(at.begin, STREAM_LIGHT), end = at.depth + depth(at.end, STREAM_LIGHT_END);
+  // from inside both ends, of which one may lie on a face of a medium along which light travels, and on in a straight line
+  const double inset = 1.0 / 16384, length = at.end - at.begin;
+  const dvec3 near = depth(at.begin + inset * length, STREAM_LIGHT),
+              far = depth(at.end - inset * length, STREAM_LIGHT_END), slope = (far - near) / (1 - 2 * inset);
+  const dvec3 begin = glm::max(near - inset * slope, 0.0), end = at.depth + glm::max(far + inset * slope, 0.0);
   dvec3 mean;
   for (int c = 0; c < 3; ++c) mean[c] = mean_between(begin[c], end[c]) / mean_between(0, at.depth[c]);
   return mean;

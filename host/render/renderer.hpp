@@ -28,8 +28,8 @@ struct RenderStats {
   double kernel_build_s = 0, upload_s = 0, render_s = 0;
   double primary_rays = 0, secondary_rays = 0, shadow_rays = 0, lookups = 0;
   double dropped_rays = 0, dropped_weight = 0;  // FilmPixel::dropped_rays, dropped_weight
-  double invalid_samples = 0;        // left out of their pixels (FilmPixel::invalid)
-  glm::ivec2 first_invalid{-1, -1};  // pixel of the first of them, from the top left
+  double invalid_samples = 0;                   // left out of their pixels (FilmPixel::invalid)
+  glm::ivec2 first_invalid{-1, -1};             // pixel of the first of them, from the top left
   std::vector<PassStats> passes;
   std::size_t device_bytes = 0, voxel_bytes = 0, bvh_bytes = 0;
 };

@@ -17,7 +17,7 @@ constexpr int LIGHT_GRID_MAX = 1024;
 
 constexpr std::size_t FILE_BYTES_MAX = 64u << 20;
 constexpr int FILM_SIDE_MAX = 65536;
-constexpr double STEPS_MAX = 1e5;  // along the medium's longest side
+constexpr double STEPS_MAX = 1e5;        // along the medium's longest side
 constexpr double INTENSITY_MAX = 1e100;  // W/sr of a light inverse to the square of a distance that may itself be 1e38
 
 CameraDesc read_camera(const JsonValue& scene) {

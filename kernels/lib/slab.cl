@@ -6,7 +6,10 @@
 // One axis of [lo, hi]. A direction component of zero or nearly so is an inside test, so that 0 * inf never arises.
 static inline int slab_cut(float lo, float hi, float o, float d, float* t0, float* t1) {
   const float inv_d = 1.0f / d;
-  if (!(fabs(inv_d) < INFINITY)) return o >= lo && o <= hi;
+  if (!(fabs(inv_d) < INFINITY)) {  // along a face is inside, also where rounding put it beside
+    const float rounding = 2e-7f * (fabs(lo) + fabs(hi));
+    return o >= lo - rounding && o <= hi + rounding;
+  }
   const float a = (lo - o) * inv_d, b = (hi - o) * inv_d;
   *t0 = fmax(*t0, fmin(a, b));
   *t1 = fmin(*t1, fmax(a, b));

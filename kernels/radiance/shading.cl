@@ -35,7 +35,8 @@ static inline Shading shading_begin(const Scene* scene, const Ray* ray, const Hi
   s.material = scene->materials[s.surface.material];
   s.diffuse = material_diffuse(scene, &s.material, s.surface.uv, &s.second);
   s.dir = vec_unpack(ray->dir);
-  s.radiance = material_emission(scene, &s.material, s.surface.uv) + vec_unpack(s.material.ambient) * vec_unpack(scene->frame->ambient);
+  s.radiance = material_emission(scene, &s.material, s.surface.uv) +
+               vec_unpack(s.material.ambient) * vec_unpack(scene->frame->ambient);
   s.lit = 0;
   return s;
 }

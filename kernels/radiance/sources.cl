@@ -109,26 +109,38 @@ static inline tau_t light_depth(const Scene* scene, const Stretch* s, int l, flo
   return media_tau(scene, -1, point, -light.travel, light.distance, random, lookups);
 }
 
-// T of segment i to light l. A dense one begins where the one before ended: with one light its depth there is known.
+// Depths to light l from the ends of a dense segment: from END_INSET inside of them, and on from there in a straight line. One
+// begins where the one before ended: with one light the depth there is known.
+static inline void light_depths(const Scene* scene, Stretch* s, int l, int i, tau_t* begin, tau_t* end,
+                                MediumResult* result) {
+  const float size = s->at->size[i];
+  const int known =
+      !BRUME_RANDOM && scene->frame->light_count == 1 && fabs(stretch_begin(s, i) - s->light_t) <= 0x1p-10f * size;
+  const float share[2] = {known ? 0.0f : END_INSET, 1.0f - END_INSET};
+  tau_t tau[2] = {s->light_tau, s->light_tau};
+  for (int e = known; e < 2; ++e)
+    tau[e] = fmin(light_depth(scene, s, l, mad_exact(share[e], size, stretch_begin(s, i)),
+                              stretch_random(s, i, (e ? STREAM_LIGHT_END : STREAM_LIGHT) + (uint)l), &result->lookups),
+                  (tau_t)(TAU_FINITE));
+  const tau_t slope = (tau[1] - tau[0]) / (share[1] - share[0]);
+  *begin = fmax(tau[0] - slope * share[0], (tau_t)(0.0f));
+  *end = fmax(tau[1] + slope * END_INSET, (tau_t)(0.0f));
+  s->light_tau = *end;
+  s->light_t = stretch_end(s, i);
+}
+
+// T of segment i to light l.
 static inline float3 transmittance_traced(const Scene* scene, Stretch* s, int l, int i, int dense, const float* depth,
                                           MediumResult* result) {
-  const float place = s->ray->t_begin + s->at->place[i];
-  const float from[2] = {dense ? stretch_begin(s, i) : place, stretch_end(s, i)};
-  tau_t tau[2];
-  for (int end = 0; end < 1 + dense; ++end) {
-    const int known = !BRUME_RANDOM && dense && scene->frame->light_count == 1 &&
-                      fabs(from[end] - s->light_t) <= 0x1p-10f * s->at->size[i];
-    if (!known)
-      s->light_tau =
-          light_depth(scene, s, l, from[end], stretch_random(s, i, (end ? STREAM_LIGHT_END : STREAM_LIGHT) + (uint)l),
-                      &result->lookups);
-    s->light_t = from[end];
-    tau[end] = s->light_tau;
+  if (!dense) {
+    const Random random = stretch_random(s, i, STREAM_LIGHT + (uint)l);
+    return (float3)(1.0f) * exp(-light_depth(scene, s, l, s->ray->t_begin + s->at->place[i], random, &result->lookups));
   }
-  if (!dense) return (float3)(1.0f) * exp(-tau[0]);
+  tau_t begin, end;
+  light_depths(scene, s, l, i, &begin, &end, result);
   float mean[3];
   for (int c = 0; c < TAU_CHANNELS; ++c)
-    mean[c] = light_mean(tau_channel(tau[0], c), tau_channel(tau[1], c), depth[c * W + i]);
+    mean[c] = light_mean(tau_channel(begin, c), tau_channel(end, c), depth[c * W + i]);
   return (float3)(mean[0], mean[TAU_CHANNELS / 2], mean[TAU_CHANNELS - 1]);
 }
 

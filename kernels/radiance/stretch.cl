@@ -13,6 +13,8 @@
 #define TAU_THIN_CONSTANT (1.0f / 512.0f)  // of a constant medium, through which a depth is one product
 #define TAU_PART (1.0f / 8.0f)
 #define PARTS_SLACK 0x1p-10f
+// Ends are taken this share of the segment further in: on a face of a medium, light along that face would be in or out by rounding.
+#define END_INSET 0x1p-14f
 #define PARTS_MAX 256.0f
 
 // τ of the media beside one, carried along a view ray.

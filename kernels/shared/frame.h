@@ -21,7 +21,7 @@ typedef struct {
   int takes_ends;  // dense segments take the light from both ends: no medium is tracked
   int crop_x0, crop_y0, crop_x1, crop_y1;  // pixels rendered: [x0,x1) x [y0,y1)
   Packed3 bounds_lo,
-      bounds_hi;  // a box about everything finite, where camera rays start; lo = hi: there is nothing finite
+      bounds_hi;         // a box about everything finite, where camera rays start; lo = hi: there is nothing finite
   int hides_background;  // 1: camera rays see nothing where they hit nothing; mirrors and glass go on seeing it
 } Frame;
 BRUME_LAYOUT(Frame, 176);

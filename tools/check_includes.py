@@ -14,7 +14,7 @@ HOST = {
     "mesh": "base",
     "accel": "base shared",
     "image": "base",
-    "codec": "image",
+    "codec": "base image",
     "flat": "base shared scene volume mesh accel image",
     "cl": "base",
     "film": "base shared image",

@@ -36,7 +36,7 @@ int spawn(const fs::path& program, int socket, pid_t* child) {
   posix_spawn_file_actions_addopen(&files, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
   sigset_t crashes;
   sigemptyset(&crashes);
-  for (int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU}) sigaddset(&crashes, signal);
+  for (int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU, SIGALRM}) sigaddset(&crashes, signal);
   posix_spawnattr_setsigdefault(&attributes, &crashes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
   std::string name = program.string();
@@ -82,26 +82,42 @@ bool helper_receive(int socket, void* data, std::size_t bytes) {
   return true;
 }
 
-HelperProgram::HelperProgram(const fs::path& program) {
+HelperChild helper_start(const fs::path& program) {
   int ends[2];
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
     throw RuntimeError(std::string("cannot make a socket pair: ") + std::strerror(errno));
-  const int failure = spawn(program, ends[1], &child_);
+  HelperChild child{-1, ends[0]};
+  const int failure = spawn(program, ends[1], &child.id);
   ::close(ends[1]);
-  socket_ = ends[0];
-  if (failure == 0) return;
-  ::close(socket_);
+  if (failure == 0) return child;
+  ::close(child.socket);
   throw RuntimeError(program.string() + ": cannot be started: " + std::strerror(failure));
 }
 
+std::string helper_end(HelperChild& child) {
+  if (child.socket >= 0) ::close(child.socket);
+  const pid_t id = child.id;
+  child = {};
+  if (id <= 0) return "";
+  int status = 0;
+  pid_t ended;
+  do ended = ::waitpid(id, &status, 0);
+  while (ended < 0 && errno == EINTR);
+  if (ended < 0) return "";  // SIGCHLD is ignored in this process: what arrived has to speak for itself
+  if (WIFSIGNALED(status)) return "signal " + std::to_string(WTERMSIG(status));
+  return WEXITSTATUS(status) == 0 ? "" : "exit code " + std::to_string(WEXITSTATUS(status));
+}
+
+HelperProgram::HelperProgram(const fs::path& program) : child_(helper_start(program)) {}
+
 HelperProgram::~HelperProgram() {
-  if (child_ > 0) ::kill(child_, SIGKILL);
+  if (child_.id > 0) ::kill(child_.id, SIGKILL);
   end();
 }
 
 bool HelperProgram::wait_for(short events) const {
-  if (socket_ < 0) return false;
-  pollfd wanted{socket_, events, 0};
+  if (child_.socket < 0) return false;
+  pollfd wanted{child_.socket, events, 0};
   for (;;) {
     if (interrupt_requested()) throw Interrupted("interrupted");
     const int ready = ::poll(&wanted, 1, POLL_MS);
@@ -114,7 +130,7 @@ bool HelperProgram::send(const void* data, std::size_t bytes) {
   const char* from = static_cast<const char*>(data);
   while (bytes > 0) {
     if (!wait_for(POLLOUT)) return false;
-    const ssize_t sent = ::send(socket_, from, bytes, MSG_NOSIGNAL | MSG_DONTWAIT);
+    const ssize_t sent = ::send(child_.socket, from, bytes, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (sent <= 0) return false;
     from += sent;
@@ -127,7 +143,7 @@ bool HelperProgram::receive(void* data, std::size_t bytes) {
   char* to = static_cast<char*>(data);
   while (bytes > 0) {
     if (!wait_for(POLLIN)) return false;
-    const ssize_t got = ::recv(socket_, to, bytes, MSG_DONTWAIT);
+    const ssize_t got = ::recv(child_.socket, to, bytes, MSG_DONTWAIT);
     if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (got <= 0) return false;
     to += got;
@@ -136,18 +152,6 @@ bool HelperProgram::receive(void* data, std::size_t bytes) {
   return true;
 }
 
-std::string HelperProgram::end() {
-  if (socket_ >= 0) ::close(socket_);  // which ends it, if nothing else has
-  socket_ = -1;
-  if (child_ <= 0) return "";
-  int status = 0;
-  pid_t ended;
-  do ended = ::waitpid(child_, &status, 0);
-  while (ended < 0 && errno == EINTR);
-  child_ = -1;
-  if (ended < 0) return "";  // SIGCHLD is ignored in this process: what arrived has to speak for itself
-  if (WIFSIGNALED(status)) return "signal " + std::to_string(WTERMSIG(status));
-  return WEXITSTATUS(status) == 0 ? "" : "exit code " + std::to_string(WEXITSTATUS(status));
-}
+std::string HelperProgram::end() { return helper_end(child_); }
 
 }  // namespace brume

@@ -16,7 +16,17 @@ std::filesystem::path helper_program_file(const std::string& name, const std::st
 bool helper_send(int socket, const void* data, std::size_t bytes);
 bool helper_receive(int socket, void* data, std::size_t bytes);
 
-// One running child, for one thread. Its standard input is the socket.
+// Starts a program whose standard input is a socket, with default signals and in a process group of its own: its id and our end of the
+// socket. RuntimeError where that cannot be done.
+struct HelperChild {
+  pid_t id = -1;
+  int socket = -1;
+};
+HelperChild helper_start(const std::filesystem::path& program);
+// Closes the socket, which ends a child that nothing else has ended, and waits: "" if it ended well, else "signal 6" or "exit code 1".
+std::string helper_end(HelperChild& child);
+
+// One running child, for one thread.
 class HelperProgram {
  public:
   // Starts it. RuntimeError where that cannot be done.
@@ -33,8 +43,7 @@ class HelperProgram {
 
  private:
   bool wait_for(short events) const;
-  pid_t child_ = -1;
-  int socket_ = -1;
+  HelperChild child_;
 };
 
 }  // namespace brume

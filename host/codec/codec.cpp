@@ -9,6 +9,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "base/helper_program.hpp"
 #include "codec/jpeg_header.hpp"
 #include "codec/memory.hpp"
 #include "image/image_protocol.hpp"
@@ -20,7 +21,7 @@ namespace {
 struct Peer {
   int socket;
   void send(const void* data, std::size_t bytes) const {
-    if (!socket_send(socket, data, bytes)) ::_exit(0);  // nobody waits any more
+    if (!helper_send(socket, data, bytes)) ::_exit(0);  // nobody waits any more
   }
 };
 
@@ -147,7 +148,7 @@ bool codec_serve(int socket) {
   OIIO::attribute("limits:channels", IMAGE_CHANNELS_MAX);
   const Peer peer{socket};
   ImageRequest request;
-  while (socket_receive(socket, &request, sizeof request)) {
+  while (helper_receive(socket, &request, sizeof request)) {
     if (request.protocol != IMAGE_PROTOCOL || request.text_bytes > IMAGE_TEXT_MAX) {
       refuse(peer, "brume-image is of another version than brume");
       return false;
@@ -155,8 +156,8 @@ bool codec_serve(int socket) {
     try {
       std::string joined(request.text_bytes, '\0');
       std::vector<char> values(request.value_bytes);
-      if (!socket_receive(socket, joined.data(), joined.size()) ||
-          !socket_receive(socket, values.data(), values.size()))
+      if (!helper_receive(socket, joined.data(), joined.size()) ||
+          !helper_receive(socket, values.data(), values.size()))
         return false;
       serve(peer, request, texts_split(joined), values);
     } catch (const std::bad_alloc&) {

@@ -1,12 +1,11 @@
 // The running program brume-image, in which the image library lives: its 250 shared libraries take a third of a second to load, which goes on
 // beside other work here, and damaged files that crash it do no harm. Private to host/image.
 #pragma once
-#include <sys/types.h>
-
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "base/helper_program.hpp"
 #include "image/image_protocol.hpp"
 
 namespace brume {
@@ -24,7 +23,7 @@ class ImageProgram {
   // says how. The next request starts it anew.
   bool ask(ImageRequest request, const std::vector<std::string>& texts, const void* values, ImageAnswer& answer,
            std::vector<std::string>& said);
-  bool receive(void* data, std::size_t bytes) { return socket_receive(socket_, data, bytes); }
+  bool receive(void* data, std::size_t bytes) { return helper_receive(child_.socket, data, bytes); }
   // Ends it: "" if it ended well, else "signal 6" or "exit code 1".
   std::string stop();
   // Of what stop() says: somebody else ended it (kill, the system for want of memory), not a file that it read.
@@ -32,8 +31,7 @@ class ImageProgram {
 
  private:
   ImageProgram() = default;
-  pid_t child_ = -1;
-  int socket_ = -1;
+  HelperChild child_;
 };
 
 // Beside this program, one folder up, or in ../libexec/brume. RuntimeError, naming them, where it is in none.

@@ -1,11 +1,6 @@
 // See image_protocol.hpp.
 #include "image/image_protocol.hpp"
 
-#include <sys/socket.h>
-
-#include <algorithm>
-#include <cerrno>
-
 namespace brume {
 
 std::string image_size_problem(int width, int height, int channels) {
@@ -30,30 +25,6 @@ std::vector<std::string> texts_split(const std::string& joined) {
   for (std::size_t begin = 0, end; (end = joined.find('\0', begin)) != std::string::npos; begin = end + 1)
     texts.push_back(joined.substr(begin, end - begin));
   return texts;
-}
-
-bool socket_send(int socket, const void* data, std::size_t bytes) {
-  const char* from = static_cast<const char*>(data);
-  while (bytes > 0) {
-    const ssize_t sent = ::send(socket, from, bytes, MSG_NOSIGNAL);  // not SIGPIPE: the caller says what happened
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent <= 0) return false;
-    from += sent;
-    bytes -= static_cast<std::size_t>(sent);
-  }
-  return true;
-}
-
-bool socket_receive(int socket, void* data, std::size_t bytes) {
-  char* to = static_cast<char*>(data);
-  while (bytes > 0) {
-    const ssize_t got = ::recv(socket, to, bytes, 0);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return false;
-    to += got;
-    bytes -= static_cast<std::size_t>(got);
-  }
-  return true;
 }
 
 }  // namespace brume

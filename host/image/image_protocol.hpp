@@ -50,8 +50,4 @@ std::string image_size_problem(int width, int height, int channels);
 std::string texts_join(const std::vector<std::string>& texts);
 std::vector<std::string> texts_split(const std::string& joined);
 
-// All bytes, or false where the other side is gone.
-bool socket_send(int socket, const void* data, std::size_t bytes);
-bool socket_receive(int socket, void* data, std::size_t bytes);
-
 }  // namespace brume

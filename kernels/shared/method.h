@@ -104,51 +104,32 @@ enum Rule {
       RULE_COUNT
 };
 
-// Columns of the table above.
-#define COLUMN(type, function, value)       \
-  static inline type function(int method) { \
-    switch (method) {                       \
-      BRUME_METHODS(value)                  \
-      default:                              \
-        return 0;                           \
-    }                                       \
+// A row of the table above.
+typedef struct {
+  int fits, placement, rule;
+  float share, jitter;
+  int draws, exact;
+} MethodRow;
+
+static inline MethodRow method_row(int method) {
+  MethodRow row = {0, 0, 0, 0.0f, 0.0f, 0, 0};
+#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help)                    \
+  if (method == METHOD_##id) {                                                                     \
+    const MethodRow its = {fits, PLACEMENT_##placement, RULE_##rule, share, jitter, draws, exact}; \
+    row = its;                                                                                     \
   }
-#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
-  case METHOD_##id:                                                             \
-    return fits;
-COLUMN(int, method_fits, ROW)
+  BRUME_METHODS(ROW)
 #undef ROW
-#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
-  case METHOD_##id:                                                             \
-    return PLACEMENT_##placement;
-COLUMN(int, method_placement, ROW)
-#undef ROW
-#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
-  case METHOD_##id:                                                             \
-    return RULE_##rule;
-COLUMN(int, method_rule, ROW)
-#undef ROW
-#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
-  case METHOD_##id:                                                             \
-    return share;
-COLUMN(float, method_share, ROW)
-#undef ROW
-#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
-  case METHOD_##id:                                                             \
-    return jitter;
-COLUMN(float, method_jitter, ROW)
-#undef ROW
-#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
-  case METHOD_##id:                                                             \
-    return draws;
-COLUMN(int, method_draws, ROW)
-#undef ROW
-#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
-  case METHOD_##id:                                                             \
-    return exact;
-COLUMN(int, method_exact_for, ROW)
-#undef ROW
-#undef COLUMN
+  return row;
+}
+
+static inline int method_fits(int method) { return method_row(method).fits; }
+static inline int method_placement(int method) { return method_row(method).placement; }
+static inline int method_rule(int method) { return method_row(method).rule; }
+static inline float method_share(int method) { return method_row(method).share; }
+static inline float method_jitter(int method) { return method_row(method).jitter; }
+static inline int method_draws(int method) { return method_row(method).draws; }
+static inline int method_exact_for(int method) { return method_row(method).exact; }
 
 // Density lookups of one segment by a rule.
 static inline int rule_lookups(int rule) {

@@ -7,13 +7,14 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "base/number_text.hpp"
 #include "check/stability_parts.hpp"
 #include "flat/flatten.hpp"
 #include "reference/medium.hpp"
 #include "reference/scatter.hpp"
-#include "reference/tracking.hpp"
 #include "scene/families.hpp"
 #include "scene/scene_reader.hpp"
+#include "shared/method.h"
 
 namespace brume {
 
@@ -31,11 +32,7 @@ dvec3 float_exact(const dvec3& v) { return dvec3(glm::vec3(v)); }
 
 }  // namespace
 
-std::string number(double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, "%.3g", value);
-  return buffer;
-}
+std::string number(double value) { return number_text(value, 3); }
 
 void StabilityRays::add(const dvec3& origin, const dvec3& dir, double t_max) {
   rays.push_back({float_exact(origin), float_exact(dir)});

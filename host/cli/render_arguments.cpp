@@ -2,10 +2,10 @@
 #include "cli/render_arguments.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cstdio>
 #include <sstream>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "film/film.hpp"
 #include "film/film_display.hpp"
 #include "scene/families.hpp"
@@ -28,11 +28,7 @@ std::array<int, N> integers(const std::string& option, const std::string& text, 
   return values;
 }
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
+std::string number(double value) { return number_text(value, 17); }  // as JSON reads it back
 
 }  // namespace
 

@@ -11,7 +11,7 @@
 #include "base/interrupt.hpp"
 #include "reference/sampling.hpp"
 #include "reference/surface.hpp"
-#include "reference/tracking.hpp"
+#include "shared/method.h"
 #include "shared/ray.h"
 
 namespace brume::reference {

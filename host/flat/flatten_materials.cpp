@@ -98,7 +98,7 @@ int mesh_texture(const MeshTexture& texture, TextureTable& textures, std::vector
   try {
     return textures.add(texture);
   } catch (const InputError& error) {
-    notes.push_back(std::string(error.what()) + "; the material goes without it");
+    note_once(notes, std::string(error.what()) + "; the material goes without it");
     return -1;
   }
 }

@@ -36,6 +36,9 @@ struct LoadedShapes {
   int default_material = 0;
   Bounds bounds;  // of everything finite
 };
+// Adds what is not told yet.
+void note_once(std::vector<std::string>& notes, const std::string& note);
+
 LoadedShapes load_shapes(const SceneDesc& desc, std::vector<std::string>& notes);
 
 void flatten_camera(const SceneDesc& desc, const Bounds& bounds, FlatScene& scene);  // bounds: of everything finite

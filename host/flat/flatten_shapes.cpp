@@ -1,4 +1,5 @@
 // Shapes: analytic ones become Shape records, triangles and meshes become Triangles in world space behind a BVH.
+#include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
@@ -95,7 +96,7 @@ Mesh mesh_of(const TriangleDesc& t) {
 // Loads a mesh and puts it into the world.
 Mesh mesh_load(const MeshDesc& desc, std::vector<std::string>& notes) {
   Mesh mesh = mesh_read_obj(desc.file);
-  notes.insert(notes.end(), mesh.notes.begin(), mesh.notes.end());
+  for (const std::string& note : mesh.notes) note_once(notes, note);  // of a mesh that several shapes show
   if (desc.shading == MeshShading::PHONG) mesh_complete_normals(mesh, desc.crease);
   const dmat4 m = transform_matrix(desc.transform);
   const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(m)));
@@ -130,6 +131,10 @@ bool has_area(const Triangle& t) {
 }
 
 }  // namespace
+
+void note_once(std::vector<std::string>& notes, const std::string& note) {
+  if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+}
 
 LoadedShapes load_shapes(const SceneDesc& desc, std::vector<std::string>& notes) {
   LoadedShapes shapes;

@@ -10,7 +10,7 @@
 
 namespace brume {
 
-// base + gain * the image at scale * uv + offset, repeated, or with its outermost texels going on where it is clamped.
+// base + gain * the image at scale * uv + offset, repeated, or, where it is clamped, shown once with 1 around it.
 struct MeshTexture {
   std::filesystem::path file;  // resolved; empty for none
   glm::dvec2 scale{1}, offset{0};
@@ -35,7 +35,7 @@ struct MeshTriangle {
 };
 
 struct Mesh {
-  std::vector<glm::dvec3> positions, normals;  // normals are unit
+  std::vector<glm::dvec3> positions, normals;  // positions: those that triangles have; normals: unit, or 0 where unused
   std::vector<glm::dvec2> uvs;
   std::vector<MeshTriangle> triangles;
   std::vector<MeshMaterial> materials;

@@ -16,6 +16,7 @@ namespace {
 
 using glm::dvec3;
 
+constexpr double ANGLE_ROUNDING = 1e-3;      // degrees: a right angle of a file's decimals is one
 constexpr std::size_t EDGE_SHARED_MAX = 32;  // triangles; more share an edge by mistake only
 
 double corner_angle(const dvec3& a, const dvec3& b) {
@@ -32,7 +33,7 @@ class Corners {
       normals_.push_back(
           glm::normalize(glm::cross(mesh.positions[t.position[1]] - p, mesh.positions[t.position[2]] - p)));
     }
-    crease ? join_edges(std::cos(glm::radians(*crease))) : join_positions();
+    crease ? join_edges(std::cos(glm::radians(std::min(*crease + ANGLE_ROUNDING, 180.0)))) : join_positions();
   }
 
   std::size_t set(std::size_t corner) {

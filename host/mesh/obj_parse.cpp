@@ -46,7 +46,8 @@ class Reader {
       if (kind.largest > 0 && static_cast<std::size_t>(kind.largest) > kind.count)
         refuse_index(kind, kind.largest, kind.line);
     if (line_ > 0 && !seen_)
-      throw InputError(file_.string() + ": is not an OBJ file: no line is a vertex or a face, so it holds no triangle");
+      throw InputError(file_.string() + ": is not an OBJ file, holds no triangle: no line is a vertex or a face" +
+                       (first_word_.empty() ? "" : ", the first begins with " + first_word_));
     return std::move(out_);
   }
 
@@ -77,6 +78,7 @@ class Reader {
     std::string_view words = line;
     const std::string_view keyword = word_take(words);
     if (keyword.empty() || keyword[0] == '#') return;
+    if (first_word_.empty()) first_word_ = quoted(keyword);
     const auto find = [&](std::string_view name) {
       return std::find_if(std::begin(ROWS), std::end(ROWS), [&](const Row& row) { return row.keyword == name; });
     };
@@ -101,15 +103,17 @@ class Reader {
         known ? std::string(keyword) : "not understood");
   }
 
-  // The numbers of a vertex; those behind the third are told where they are colors.
+  // Three numbers; those behind them are told unless they say nothing.
   glm::dvec3 numbers_read(std::string_view words, Kind& kind) {
     glm::dvec3 out(0);
+    double fourth = 1;
     int count = 0;
     words = words.substr(0, words.find('#'));
     for (std::string_view word = word_take(words); !word.empty(); word = word_take(words), ++count) {
       const std::optional<double> number = number_of(word);
       if (!number) refuse(line_, quoted(word) + " is not a number");
       if (count < 3) out[count] = *number;
+      if (count == 3) fourth = *number;
     }
     if (count < kind.numbers)
       refuse(line_, "a " + std::string(kind.name) + " has " + std::to_string(count) + " numbers, expected at least " +
@@ -119,11 +123,18 @@ class Reader {
     for (int k = 0; k < 3; ++k)
       if (!(std::abs(out[k]) <= COORDINATE_MAX))
         refuse(line_, std::string(kind.name) + " " + std::to_string(kind.count) + " is not finite or beyond 1e38");
-    if (&kind == &kinds_[POSITION] && count > 4) out_.notes.add(line_, "colors of vertices are not read");
+    if (&kind == &kinds_[POSITION] && count > 5)
+      out_.notes.add(line_, "colors of vertices are not read");
+    else if (count > 4 || fourth != 1)
+      out_.notes.add(line_, "a " + std::string(kind.name) + " has more than three numbers; the rest is not read");
     return out;
   }
   void position_read(std::string_view words) { out_.positions.push_back(numbers_read(words, kinds_[POSITION])); }
-  void uv_read(std::string_view words) { out_.uvs.emplace_back(numbers_read(words, kinds_[UV])); }
+  void uv_read(std::string_view words) {
+    const glm::dvec3 uvw = numbers_read(words, kinds_[UV]);
+    out_.uvs.emplace_back(uvw);
+    if (uvw.z != 0) out_.notes.add(line_, "the third texture coordinate is not read: images have two");
+  }
   void normal_read(std::string_view words) { out_.normals.push_back(numbers_read(words, kinds_[NORMAL])); }
 
   void face_read(std::string_view words) {
@@ -133,7 +144,7 @@ class Reader {
     for (std::string_view word = word_take(words); !word.empty(); word = word_take(words)) corner_read(word);
     const std::size_t corners = out_.corners.size() - first;
     if (corners >= 3) {
-      out_.faces.push_back({first, corners, material_, group_});
+      out_.faces.push_back({first, corners, line_, material_, group_});
     } else {
       out_.notes.add(line_, "a face has fewer than three corners; it is left out");
       out_.corners.resize(first);
@@ -203,6 +214,7 @@ class Reader {
   std::size_t line_ = 0;
   std::array<Kind, 3> kinds_{{{"vertex", 3}, {"texture coordinate", 1}, {"normal", 3}}};
   bool seen_ = false;  // a vertex or a face
+  std::string first_word_;
   int material_ = -1, group_ = GROUP_ALL;
   std::map<std::string, int> material_index_;
   ObjFile out_;

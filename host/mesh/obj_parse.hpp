@@ -13,7 +13,8 @@ namespace brume {
 
 struct ObjFace {
   std::size_t first, corners;  // in ObjFile::corners; at least 3
-  int material, group;         // index into ObjFile::materials, -1 before the first usemtl; smoothing group
+  std::size_t line;
+  int material, group;  // index into ObjFile::materials, -1 before the first usemtl; smoothing group
 };
 
 struct ObjName {

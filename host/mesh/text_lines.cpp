@@ -37,7 +37,8 @@ bool TextLines::next() {
     rest_.remove_prefix(end);
     rest_.remove_prefix(rest_.substr(0, 2) == "\r\n" ? 2 : std::min<std::size_t>(1, rest_.size()));
     ++next_;
-    if (line_.empty() || line_.back() != '\\' || rest_.empty()) break;
+    // In a comment it is the end of a folder's name.
+    if (line_.empty() || line_.back() != '\\' || rest_.empty() || line_.find('#') != std::string::npos) break;
     line_.back() = ' ';
   }
   return true;

@@ -10,7 +10,8 @@
 
 namespace brume {
 
-// Lines of a text, numbered from 1 as the file has them: a byte order mark is skipped, those that "\" continues are one line.
+// Lines of a text, numbered from 1 as the file has them: a byte order mark is skipped, those that "\" continues (but no comment) are one
+// line.
 class TextLines {
  public:
   explicit TextLines(std::string_view text);

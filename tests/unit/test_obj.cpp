@@ -91,6 +91,44 @@ TEST_F(Obj, LinesMayBeContinuedAndEndInCrLf) {
   expect_near(corner(mesh, 0, 1), {1, 0, 0});
 }
 
+// "\\" ends names of folders in comments, and the next line is a line of its own.
+TEST_F(Obj, CommentsAreNotContinued) {
+  const Mesh mesh = read("# of C:\\meshes\\\nv 0 0 0\nv 1 0 0 # C:\\\nv 0 1 0\nf 1 2 3\n");
+  ASSERT_EQ(mesh.positions.size(), 3u);
+  expect_near(corner(mesh, 0, 2), {0, 1, 0});
+}
+
+// Many files begin with a vertex at the origin, far from all that is seen.
+TEST_F(Obj, VerticesThatNoTriangleHasAreLeftOut) {
+  const Mesh mesh = read("v 0 0 0\nv 5e6 1 0\nv 5000001 1 0\nv 5e6 2 0\nv 7 7 7\nf 2 3 4\nf 1 1 2\n");
+  ASSERT_EQ(mesh.positions.size(), 3u);
+  expect_near(corner(mesh, 0, 1), {5000001, 1, 0});
+}
+
+TEST_F(Obj, NormalsAreUnitHoweverLong) {
+  const Mesh mesh = read(std::string(TRIANGLE) + "vn 0 0 1e-170\nvn 3e-300 4e-300 0\nvn 0 1e37 0\nf 1//1 2//2 3//3\n");
+  const dvec3 normals[] = {{0, 0, 1}, {0.6, 0.8, 0}, {0, 1, 0}};
+  for (int k = 0; k < 3; ++k) expect_near(mesh.normals.at(mesh.triangles.at(0).normal[k]), normals[k]);
+}
+
+TEST_F(Obj, NumbersThatAreNotReadAreTold) {
+  const std::string face = "f 1 2 3\n";
+  EXPECT_THAT(read("v 0 0 0 1\nv 1 0 0 1.0\nv 0 1 0\nvt 0 0 0\n" + face).notes, IsEmpty());
+  EXPECT_THAT(
+      read("v 0 0 0 2\nv 1 0 0\nv 0 1 0 2\n" + face).notes,
+      ElementsAre(HasSubstr("line 1: a vertex has more than three numbers; the rest is not read (2 such lines)")));
+  EXPECT_THAT(read("v 0 0 0 1 1\nv 1 0 0\nv 0 1 0\n" + face).notes, ElementsAre(HasSubstr("more than three")));
+  EXPECT_THAT(read("v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\n" + face).notes, ElementsAre(HasSubstr("colors of vertices")));
+  EXPECT_THAT(read(std::string(TRIANGLE) + "vn 0 0 1 5\nvt 0 0 1\n" + face).notes,
+              ElementsAre(HasSubstr("line 4: a normal has"), HasSubstr("line 5: the third texture coordinate")));
+}
+
+TEST_F(Obj, FacesOfFewerThanThreeCornersAreTold) {
+  EXPECT_THAT(read(std::string(TRIANGLE) + "f 1 2 3\nf 1 2\nf\nl 1 2\n").notes,
+              ElementsAre(HasSubstr("line 5: a face has fewer than three corners; it is left out (2 such lines)"),
+                          HasSubstr("line 7: 'l' is not read")));
+}
+
 TEST_F(Obj, CornersOfPolygonsKeepTheirAttributes) {
   const Mesh mesh = read(
       "v 0 0 0\nv 2 0 0\nv 3 1 0\nv 2 2 0\nv 0 2 0\nvt 0 0\nvt 2 0\nvt 3 1\nvt 2 2\nvt 0 2\n"
@@ -106,10 +144,12 @@ TEST_F(Obj, CornersOfPolygonsKeepTheirAttributes) {
 TEST_F(Obj, TrianglesWithoutAreaAreLeftOutAndTold) {
   const Mesh mesh = read(std::string(TRIANGLE) + "v 2 0 0\nf 1 2 3\nf 1 2 4\nf 1 1 3\n");
   EXPECT_EQ(mesh.triangles.size(), 1u);
-  EXPECT_THAT(mesh.notes, ElementsAre(AllOf(HasSubstr("a.obj"), HasSubstr("2 triangles without area"))));
+  EXPECT_THAT(mesh.notes, ElementsAre(AllOf(HasSubstr("a.obj"), HasSubstr("line 6: 2 triangles without area"))));
 }
 
 TEST_F(Obj, MaterialsAreThoseOfTheMtl) {
+  fs::create_directories(folder_ / "maps");
+  write("", "maps/wood.png");
   write(
       "newmtl red\nKa 0.1 0.2 0.3\nKd 0.9 0.25 0.125\nKs 0.5 0.4 0.3\nKe 2 3 4\nNs 32\nmap_Kd maps\\wood.png\n"
       "newmtl plain\nKd 0 0.5 1\n",
@@ -167,6 +207,33 @@ TEST_F(Obj, MissingNormalsAreAngleWeightedMeans) {
   Mesh more = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv -1 0 0\nf 1 2 3\nf 1 3 5\nf 1 3 4\n");
   mesh_complete_normals(more);
   expect_near(more.normals.at(more.triangles[0].normal[0]), glm::normalize(2.0 * z + x));
+}
+
+TEST_F(Obj, EdgesSharperThanTheCreaseAreNotJoined) {
+  const std::string fold = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n";  // a right angle at the edge 1 3
+  const dvec3 x(1, 0, 0), z(0, 0, 1);
+  for (const auto& [crease, joined] : {std::pair{0.0, false}, {89.9, false}, {90.0, true}, {180.0, true}}) {
+    Mesh mesh = read(fold);
+    mesh_complete_normals(mesh, crease);
+    expect_near(mesh.normals.at(mesh.triangles[0].normal[0]), joined ? glm::normalize(x + z) : z);
+    expect_near(mesh.normals.at(mesh.triangles[1].normal[0]), joined ? glm::normalize(x + z) : x);
+    expect_near(mesh.normals.at(mesh.triangles[0].normal[1]), z);
+  }
+}
+
+TEST_F(Obj, NormalsAreJoinedWithinASmoothingGroup) {
+  const std::string start = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n";
+  const dvec3 x(1, 0, 0), z(0, 0, 1);
+  const auto shared = [&](const std::string& first, const std::string& second) {
+    Mesh mesh = read(start + first + "f 1 2 3\n" + second + "f 1 3 4\n");
+    mesh_complete_normals(mesh);
+    return mesh.normals.at(mesh.triangles[0].normal[0]);
+  };
+  for (const auto& [first, second] : {std::pair{"s 1\n", ""}, {"s 2\n", "s 2\n"}, {"s on\n", "s 1\n"}, {"", ""}})
+    expect_near(shared(first, second), glm::normalize(x + z));
+  for (const auto& [first, second] :
+       {std::pair{"s 1\n", "s 2\n"}, {"s off\n", ""}, {"s 0\n", ""}, {"s 1\n", "s off\n"}})
+    expect_near(shared(first, second), z);
 }
 
 TEST_F(Obj, NormalsOfTheFileStay) {

@@ -78,6 +78,8 @@ TEST(SceneRefusals, RefusesBrokenLights) {
        "/lights/0: unknown key 'intensity'"},
       {R"({"lights": [{"type": "spot", "position": [0, 0, 0], "direction": [0, 1, 0], "angle": 90}]})",
        "/lights/0/angle: expected a number in (0, 90), got 90"},
+      {R"({"shapes": [{"type": "mesh", "file": "a.obj", "crease": 181}]})",
+       "/shapes/0/crease: expected a number in [0, 180], got 181"},
       {R"({"lights": [{"type": "spot", "position": [0, 0, 0], "direction": [0, 1, 0], "softness": 2}]})",
        "/lights/0/softness: expected a number in [0, 1], got 2"},
   });

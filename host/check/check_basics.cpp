@@ -157,9 +157,11 @@ std::vector<CheckRow> check_texture(Context& context, int lanes, int items) {
     const bool image = scene.textures[texture].type == TEXTURE_IMAGE;
     const char* name = !image ? "texture/checker" : scene.textures[texture].clamp ? "texture/clamped" : "texture/image";
     ErrorSum sum(name, lanes, "texture");
-    for (int i = 0; i < items; ++i)
-      add3(sum, &found[4 * i],
-           reference::texture_lookup(scene, static_cast<int>(texture), {in[3 * i + 1], in[3 * i + 2]}));
+    for (int i = 0; i < items; ++i) {
+      const glm::dvec2 uv(in[3 * i + 1], in[3 * i + 2]);
+      add3(sum, &found[4 * i], reference::texture_lookup(scene, static_cast<int>(texture), uv));
+      sum.add(found[4 * i + 3], reference::texture_second(scene.textures[texture], uv));
+    }
     rows.push_back(sum.row());
   }
   return rows;

@@ -245,8 +245,8 @@ Texture image_texture(const FlatScene& scene) {
   return t;
 }
 
-// Image textures without a file: 32 x 24 random texels for the first material; the same clamped and in other units for the light of
-// the last.
+// Image textures without a file: 32 x 24 random texels for the first material; the same shown once and in other units for the light
+// of the last, negative where texels are below 1/8.
 void image_add(FlatScene& scene) {
   Texture t = image_texture(scene);
   CheckRandom random;
@@ -258,8 +258,8 @@ void image_add(FlatScene& scene) {
   t.uv_scale[1] = -0.5F;
   t.uv_offset[0] = -0.25F;
   t.uv_offset[1] = 0.75F;
-  t.base = -0.25F;
-  t.gain = 2;
+  t.base = -0.0625F;
+  t.gain = 0.5F;
   scene.materials[2].emission_texture = static_cast<int>(scene.textures.size());
   scene.textures.push_back(t);
 }

@@ -39,9 +39,9 @@ Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& 
   return lit;
 }
 
-uint sample_key(int primitive, uint lit, uint shadow_key, int checker) {
+uint sample_key(int primitive, uint lit, uint shadow_key, int second) {
   return static_cast<uint>(primitive) * 0x9E3779B1u + lit * 0x85EBCA6Bu + shadow_key * 0xC2B2AE35u +
-         static_cast<uint>(checker) * 0x27D4EB2Fu;
+         static_cast<uint>(second) * 0x27D4EB2Fu;
 }
 
 // Trackers that take another number of collisions take another way.
@@ -167,7 +167,7 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
   sample.hits = 1;
   sample.radiance = media.radiance + sample.transmittance * lit.radiance;
   sample.key =
-      sample_key(hit.primitive, lit.lights, walked(context, media.shadow_key, sample.lookups), surface.checker) *
+      sample_key(hit.primitive, lit.lights, walked(context, media.shadow_key, sample.lookups), surface.second) *
       static_cast<uint>(2 * path.depth + 1);
   specular_add(context, surface, ray, path, sample);
   return sample;

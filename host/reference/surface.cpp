@@ -78,9 +78,21 @@ Geometry triangle_geometry(const Triangle& triangle, double u, double v) {
           w * dvec2(uv[0], uv[1]) + u * dvec2(uv[2], uv[3]) + v * dvec2(uv[4], uv[5])};
 }
 
+// Where in the image a surface's coordinates lie.
+dvec2 image_point(const Texture& texture, const dvec2& uv) {
+  return {texture.uv_scale[0] * uv.x + texture.uv_offset[0], texture.uv_scale[1] * uv.y + texture.uv_offset[1]};
+}
+
+// Beside an image that is shown once.
+bool image_misses(const Texture& texture, const dvec2& uv) {
+  const dvec2 p = image_point(texture, uv);
+  return texture.clamp && (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1);
+}
+
 dvec3 image_lookup(const FlatScene& scene, const Texture& texture, const dvec2& at) {
+  if (image_misses(texture, at)) return dvec3(1);
   const dvec2 size(texture.width, texture.height);
-  dvec2 uv(texture.uv_scale[0] * at.x + texture.uv_offset[0], texture.uv_scale[1] * at.y + texture.uv_offset[1]);
+  dvec2 uv = image_point(texture, at);
   if (texture.clamp) uv = glm::clamp(uv, 0.5 / size, 1.0 - 0.5 / size);  // centres of the outermost texels
   const dvec2 p = uv * size - 0.5, base(std::floor(p.x), std::floor(p.y)), blend = p - base;
   const auto texel = [&](double dx, double dy) {
@@ -128,10 +140,13 @@ SurfaceD surface_at(const FlatScene& scene, const RayD& ray, const HitD& hit) {
   surface.diffuse = vec_promote(material.diffuse);
   if (material.texture >= 0) {
     surface.diffuse *= texture_lookup(scene, material.texture, surface.uv);
-    surface.checker = texture_checker(scene.textures[static_cast<std::size_t>(material.texture)], surface.uv);
+    surface.second = texture_second(scene.textures[static_cast<std::size_t>(material.texture)], surface.uv);
   }
   surface.emission = vec_promote(material.emission);
-  if (material.emission_texture >= 0) surface.emission *= texture_lookup(scene, material.emission_texture, surface.uv);
+  if (material.emission_texture >= 0) {
+    surface.emission *= texture_lookup(scene, material.emission_texture, surface.uv);
+    surface.second |= texture_second(scene.textures[static_cast<std::size_t>(material.emission_texture)], surface.uv);
+  }
   const dvec3 size = glm::abs(surface.point);
   surface.ray_epsilon = 0x1p-17 * std::max({size.x, size.y, size.z, hit.t});
   return surface;
@@ -142,8 +157,8 @@ dvec3 surface_leave(const SurfaceD& surface, const dvec3& dir) {
   return surface.point + side * surface.ray_epsilon * surface.geometric_normal;
 }
 
-int texture_checker(const Texture& texture, const dvec2& uv) {
-  if (texture.type != TEXTURE_CHECKER) return 0;
+int texture_second(const Texture& texture, const dvec2& uv) {
+  if (texture.type == TEXTURE_IMAGE) return image_misses(texture, uv) ? 1 : 0;
   const double scale = texture.scale;
   const double squares = std::floor(uv.x * scale) + std::floor(uv.y * scale);
   return std::fmod(squares, 2.0) != 0 ? 1 : 0;
@@ -152,7 +167,7 @@ int texture_checker(const Texture& texture, const dvec2& uv) {
 dvec3 texture_lookup(const FlatScene& scene, int texture_index, const dvec2& uv) {
   const Texture& texture = scene.textures[static_cast<std::size_t>(texture_index)];
   if (texture.type == TEXTURE_IMAGE) return image_lookup(scene, texture, uv);
-  return vec_promote(texture_checker(texture, uv) ? texture.color_b : texture.color_a);
+  return vec_promote(texture_second(texture, uv) ? texture.color_b : texture.color_a);
 }
 
 dvec3 surface_reflect(const FlatScene& scene, const SurfaceD& surface, const dvec3& view_dir, const dvec3& travel) {

@@ -15,7 +15,7 @@ struct SurfaceD {
   dvec2 uv{0};
   int material = 0;
   bool leaving = false;    // hit from inside: from the side to which the shape's own normal does not point
-  int checker = 0;         // 1 in the second colour of a checker
+  int second = 0;          // 1 in the second part of its texture, see texture_second
   double ray_epsilon = 0;  // offset along the geometric normal of rays that leave this point
 };
 
@@ -27,8 +27,8 @@ dvec3 surface_leave(const SurfaceD& surface, const dvec3& dir);
 
 // Linear RGB of texture `texture` (an index into FlatScene::textures).
 dvec3 texture_lookup(const FlatScene& scene, int texture, const dvec2& uv);
-// 1 where uv lies in the second colour of a checker; 0 elsewhere and for images.
-int texture_checker(const Texture& texture, const dvec2& uv);
+// 1 where uv lies in the second colour of a checker, or beside an image that is shown once; 0 elsewhere.
+int texture_second(const Texture& texture, const dvec2& uv);
 
 // Radiance towards -view_dir for irradiance E = 1 of light that travels along `travel`; 0 from behind the shading
 // normal.

@@ -83,7 +83,7 @@ PROBE(probe_surface) {
   out[8 * item + 7] = s.uv.y;
 }
 
-// in: texture as bits, u, v. out: color, 1 in the second color of a checker
+// in: texture as bits, u, v. out: color, 1 in the second color of a checker or beside an image that is shown once
 PROBE(probe_texture) {
   PROBE_ITEM;
   __global const float* v = in + 3 * item;

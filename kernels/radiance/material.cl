@@ -8,9 +8,9 @@ static inline float3 texel_load(const Scene* scene, const Texture* t, int x, int
   return (float3)(p[0], p[1], p[2]);
 }
 
-// Index of the texel left of x and its right neighbour, repeated or clamped; returns the weight of the neighbour.
+// Index of the texel left of x and its right neighbour, repeated, or with x in [0, 1] clamped; returns the weight of the neighbour.
 static inline float texel_pair(float x, int n, int clamped, int* i0, int* i1) {
-  const float wrapped = (clamped ? clamp(x, 0.0f, 1.0f) : x - floor(x)) * (float)n - 0.5f;
+  const float wrapped = (clamped ? x : x - floor(x)) * (float)n - 0.5f;
   const float low = floor(wrapped);
   const int i = (int)low;
   *i0 = i < 0 ? (clamped ? 0 : n - 1) : min(i, n - 1);
@@ -18,10 +18,13 @@ static inline float texel_pair(float x, int n, int clamped, int* i0, int* i1) {
   return wrapped - low;
 }
 
-static inline float3 texture_image(const Scene* scene, const Texture* t, float2 uv) {
+static inline float3 texture_image(const Scene* scene, const Texture* t, float2 uv, uint* second) {
+  const float u = t->uv_scale[0] * uv.x + t->uv_offset[0], v = t->uv_scale[1] * uv.y + t->uv_offset[1];
+  *second = t->clamp && (u < 0.0f || u > 1.0f || v < 0.0f || v > 1.0f);
+  if (*second) return (float3)(1.0f);
   int x0, x1, y0, y1;
-  const float fx = texel_pair(t->uv_scale[0] * uv.x + t->uv_offset[0], t->width, t->clamp, &x0, &x1);
-  const float fy = texel_pair(t->uv_scale[1] * uv.y + t->uv_offset[1], t->height, t->clamp, &y0, &y1);
+  const float fx = texel_pair(u, t->width, t->clamp, &x0, &x1);
+  const float fy = texel_pair(v, t->height, t->clamp, &y0, &y1);
   const float3 a = texel_load(scene, t, x0, y0), b = texel_load(scene, t, x1, y0);
   const float3 c = texel_load(scene, t, x0, y1), d = texel_load(scene, t, x1, y1);
   const float3 low = a + fx * (b - a);
@@ -29,10 +32,10 @@ static inline float3 texture_image(const Scene* scene, const Texture* t, float2 
   return fmax(t->base + t->gain * (low + fy * (high - low)), 0.0f);
 }
 
-// Color of the texture; *second is set where the hit lies in the second color of a checker.
+// Color of the texture; *second is set where the hit lies in the second color of a checker or beside an image shown once.
 static inline float3 texture_lookup(const Scene* scene, int index, float2 uv, uint* second) {
   const Texture t = scene->textures[index];
-  if (t.type == TEXTURE_IMAGE) return texture_image(scene, &t, uv);
+  if (t.type == TEXTURE_IMAGE) return texture_image(scene, &t, uv, second);
   const float squares = floor(uv.x * t.scale) + floor(uv.y * t.scale);
   *second = (squares - 2.0f * floor(0.5f * squares)) != 0.0f;
   return vec_unpack(*second ? t.color_b : t.color_a);
@@ -47,11 +50,11 @@ static inline float3 material_diffuse(const Scene* scene, const Material* m, flo
   return diffuse;
 }
 
-static inline float3 material_emission(const Scene* scene, const Material* m, float2 uv) {
+static inline float3 material_emission(const Scene* scene, const Material* m, float2 uv, uint* second) {
+  *second = 0;
   float3 emission = vec_unpack(m->emission);
 #if BRUME_TEXTURED
-  uint second;
-  if (m->emission_texture >= 0) emission *= texture_lookup(scene, m->emission_texture, uv, &second);
+  if (m->emission_texture >= 0) emission *= texture_lookup(scene, m->emission_texture, uv, second);
 #endif
   return emission;
 }

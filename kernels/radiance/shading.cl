@@ -33,10 +33,12 @@ static inline Shading shading_begin(const Scene* scene, const Ray* ray, const Hi
   Shading s;
   s.surface = surface_at(scene, ray, hit);
   s.material = scene->materials[s.surface.material];
+  uint second;
   s.diffuse = material_diffuse(scene, &s.material, s.surface.uv, &s.second);
   s.dir = vec_unpack(ray->dir);
-  s.radiance = material_emission(scene, &s.material, s.surface.uv) +
+  s.radiance = material_emission(scene, &s.material, s.surface.uv, &second) +
                vec_unpack(s.material.ambient) * vec_unpack(scene->frame->ambient);
+  s.second |= second;
   s.lit = 0;
   return s;
 }

@@ -133,10 +133,13 @@ TEST(ReferenceTexture, ScaledShiftedClampedAndInOtherUnits) {
   EXPECT_DOUBLE_EQ(value(0.5, 0.25), 2);   // (1.25, -0.25) is (0.25, 0.75)
   EXPECT_DOUBLE_EQ(value(0, 0.75), 0);     // (0.25, 0.25): -4 + 2
   scene.textures[0].clamp = 1;
-  EXPECT_DOUBLE_EQ(value(0.5, 1.25), 6);  // the right column goes on
-  EXPECT_DOUBLE_EQ(value(-9, 9), 2);
-  EXPECT_DOUBLE_EQ(value(0.5, 0.25), 0);   // right of the lower row
+  EXPECT_DOUBLE_EQ(value(0.5, 1.25), 1);   // (1.25, 0.75): beside it
+  EXPECT_DOUBLE_EQ(value(0.25, 0.25), 1);  // (0.75, -0.25): below it
+  EXPECT_DOUBLE_EQ(value(-9, 9), 1);
   EXPECT_DOUBLE_EQ(value(0.375, 1.5), 6);  // (1, 1): no blend with the other side
+  EXPECT_DOUBLE_EQ(value(0.25, 1.5), 6);   // (0.75, 1)
+  EXPECT_EQ(texture_second(scene.textures[0], {0.25, 1.5}), 0);
+  EXPECT_EQ(texture_second(scene.textures[0], {0.25, 0.25}), 1);
 }
 
 TEST(ReferenceTexture, EmissionHasATextureOfItsOwn) {
@@ -166,10 +169,10 @@ TEST(ReferenceTexture, CheckerAlternatesAcrossTheOrigin) {
   texture.color_b = test::packed(0, 0.5, 0);
   texture.scale = 2;
   scene.textures.push_back(texture);
-  EXPECT_EQ(look(scene, {0.25, 0.25, 1}, {0, 0, -1}).checker, 0);
-  EXPECT_EQ(look(scene, {0.75, 0.25, 1}, {0, 0, -1}).checker, 1);
-  EXPECT_EQ(look(scene, {-0.25, 0.25, 1}, {0, 0, -1}).checker, 1);
-  EXPECT_EQ(look(scene, {-0.25, -0.25, 1}, {0, 0, -1}).checker, 0);
+  EXPECT_EQ(look(scene, {0.25, 0.25, 1}, {0, 0, -1}).second, 0);
+  EXPECT_EQ(look(scene, {0.75, 0.25, 1}, {0, 0, -1}).second, 1);
+  EXPECT_EQ(look(scene, {-0.25, 0.25, 1}, {0, 0, -1}).second, 1);
+  EXPECT_EQ(look(scene, {-0.25, -0.25, 1}, {0, 0, -1}).second, 0);
   EXPECT_EQ(look(scene, {0.25, 0.25, 1}, {0, 0, -1}).diffuse, dvec3(0.5));
   EXPECT_EQ(look(scene, {0.75, 0.25, 1}, {0, 0, -1}).diffuse, dvec3(0, 0.25, 0));
 }

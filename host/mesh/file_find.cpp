@@ -11,9 +11,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t NAME_MAX_BYTES = 4096;  // no system has longer ones
+
 bool is_there(const fs::path& file) {
   std::error_code ignored;
-  return fs::exists(file, ignored);
+  const fs::file_status status = fs::status(file, ignored);
+  return fs::exists(status) && !fs::is_directory(status);
 }
 
 // The entry of a folder whose name differs in case alone, the first by name of several; empty for none.
@@ -34,7 +37,7 @@ fs::path path_of_any_case(const fs::path& folder, const fs::path& name) {
   for (const fs::path& part : name.lexically_normal()) {
     if (part.is_absolute()) {
       at = part;
-    } else if (is_there(at / part)) {
+    } else if (std::error_code ignored; fs::exists(at / part, ignored)) {
       at /= part;
     } else {
       at = entry_of_any_case(at, part.string());
@@ -44,22 +47,38 @@ fs::path path_of_any_case(const fs::path& folder, const fs::path& name) {
   return at;
 }
 
+// "C:/art/wood.png": that, art/wood.png, wood.png.
+std::vector<std::string> ends_of(const std::string& name) {
+  std::vector<std::string> ends{name};
+  for (std::size_t at = name.find_first_of("/:"); at != std::string::npos; at = name.find_first_of("/:", at + 1))
+    if (at + 1 < name.size() && name[at + 1] != '/') ends.push_back(name.substr(at + 1));
+  return ends;
+}
+
 }  // namespace
 
-FoundFile file_find(const fs::path& folder, std::string_view name) {
+const FoundFile& FileFinder::find(std::string_view name) {
+  const auto known = known_.find(name);
+  if (known != known_.end()) return known->second;
+  return known_.emplace(std::string(name), look(name)).first->second;
+}
+
+FoundFile FileFinder::look(std::string_view name) const {
   std::string text(name);
-  if (!text.empty() && is_there(folder / text)) return {(folder / text).lexically_normal(), true, true};
+  const auto beside = [&](const fs::path& folder) { return (folder / text).lexically_normal(); };
+  for (const fs::path& folder : folders_)
+    if (is_there(folder / text)) return {beside(folder), true, true};
   if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
   std::replace(text.begin(), text.end(), '\\', '/');
-  const fs::path asked = (folder / text).lexically_normal();
-  if (text.empty() || is_there(asked)) return {asked, !text.empty(), true};
-  const std::string base = text.substr(text.find_last_of("/:") + 1);  // of "C:wood.png", too
-  for (const std::string& other : {text, base}) {
-    if (other.empty()) continue;
-    const fs::path path = path_of_any_case(folder, other);
-    if (!path.empty() && is_there(path)) return {path.lexically_normal(), true, false};
-  }
-  return {asked, false, true};
+  for (const fs::path& folder : folders_)
+    if (is_there(folder / text)) return {beside(folder), true, true};
+  if (text.size() <= NAME_MAX_BYTES)
+    for (const std::string& end : ends_of(text))
+      for (const fs::path& folder : folders_) {
+        const fs::path path = path_of_any_case(folder, end);
+        if (!path.empty() && is_there(path)) return {path.lexically_normal(), true, false};
+      }
+  return {beside(folders_.front()), false, true};
 }
 
 }  // namespace brume

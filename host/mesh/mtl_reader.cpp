@@ -17,8 +17,8 @@ using Path = std::filesystem::path;
 
 class Reader {
  public:
-  Reader(const Path& file, std::vector<MeshMaterial>& materials)
-      : file_(file), folder_(file.parent_path()), notes_(file), materials_(materials) {}
+  Reader(const Path& file, FileFinder& images, std::vector<MeshMaterial>& materials)
+      : file_(file), images_(images), notes_(file), materials_(materials) {}
 
   void run(std::string_view text, std::vector<std::string>& notes) {
     for (TextLines lines(text); lines.next();) {
@@ -137,10 +137,10 @@ class Reader {
     const std::vector<double> n = numbers_read(words, 1);
     if (!n.empty()) (*material_).*(row_->number) = n[0];
   }
-  void map_read(std::string_view words) { (*material_).*(row_->map) = mtl_texture(folder_, words, line_, notes_); }
+  void map_read(std::string_view words) { (*material_).*(row_->map) = mtl_texture(images_, words, line_, notes_); }
 
   const Path& file_;
-  const Path folder_;
+  FileFinder& images_;
   LineNotes notes_;
   std::vector<MeshMaterial>& materials_;
   std::size_t line_ = 0;
@@ -150,9 +150,9 @@ class Reader {
 
 }  // namespace
 
-void mtl_read(const Path& file, std::string_view text, std::vector<MeshMaterial>& materials,
+void mtl_read(const Path& file, std::string_view text, FileFinder& images, std::vector<MeshMaterial>& materials,
               std::vector<std::string>& notes) {
-  Reader(file, materials).run(text, notes);
+  Reader(file, images, materials).run(text, notes);
 }
 
 }  // namespace brume

@@ -17,30 +17,35 @@ using Path = std::filesystem::path;
 
 constexpr std::size_t MTL_BYTES_MAX = 64u << 20;
 
-// "a.mtl my b.mtl" names two files, unless there is one of that name.
-std::vector<std::string> names_split(std::string_view words) {
+std::vector<std::string> words_of(std::string_view words) {
+  std::vector<std::string> out;
+  for (std::string_view word = word_take(words); !word.empty(); word = word_take(words)) out.emplace_back(word);
+  return out;
+}
+
+// "a.mtl my b.mtl": a.mtl, "my b.mtl".
+std::vector<std::string> names_split(std::string_view line) {
   std::vector<std::string> names;
-  const char* begin = nullptr;
-  for (std::string_view word = word_take(words); !word.empty(); word = word_take(words)) {
-    if (!begin) begin = word.data();
-    const bool ends = word.size() >= 4 && text_lower(word.substr(word.size() - 4)) == ".mtl";
-    if (ends) names.emplace_back(begin, word.data() + word.size());
-    if (ends) begin = nullptr;
-    if (!ends && words.find_first_not_of(" \t") == std::string_view::npos)
-      names.emplace_back(begin, word.data() + word.size());
+  bool within = false;  // a name that goes on
+  for (const std::string& word : words_of(line)) {
+    if (within)
+      names.back() += " " + word;
+    else
+      names.push_back(word);
+    within = word.size() < 4 || text_lower(word.substr(word.size() - 4)) != ".mtl";
   }
   return names;
 }
 
 class Libraries {
  public:
-  Libraries(const Path& file, ObjFile& obj, Mesh& mesh) : folder_(file.parent_path()), obj_(obj), mesh_(mesh) {}
+  Libraries(const Path& file, ObjFile& obj, Mesh& mesh)
+      : folder_(file.parent_path()), files_({folder_}), obj_(obj), mesh_(mesh) {}
 
   // False where some library is missing.
   bool read() {
     for (const ObjName& library : obj_.libraries) {
-      std::vector<std::string> names{library.name};
-      if (!file_find(folder_, library.name).found) names = names_split(name_before_hash(library.name));
+      const std::vector<std::string> names = names_of(library.name);
       if (names.empty()) obj_.notes.add(library.line, "mtllib names no file");
       for (const std::string& name : names) read_one(name, library.line);
     }
@@ -48,8 +53,23 @@ class Libraries {
   }
 
  private:
+  // One file where there is one called by the whole line, else as many as end in .mtl; of what is not there, each word if all are.
+  std::vector<std::string> names_of(const std::string& line) {
+    if (const FoundFile& whole = files_.find(line); whole.found && whole.as_named) return {line};
+    const auto there = [&](const std::string& name) { return files_.find(name).found; };
+    std::vector<std::string> names;
+    for (const std::string& name : names_split(name_before_hash(line))) {
+      const std::vector<std::string> words = words_of(name);
+      if (!there(name) && std::all_of(words.begin(), words.end(), there))
+        names.insert(names.end(), words.begin(), words.end());
+      else
+        names.push_back(name);
+    }
+    return names;
+  }
+
   void read_one(const std::string& name, std::size_t line) {
-    const FoundFile found = file_find(folder_, name);
+    const FoundFile& found = files_.find(name);
     if (std::find(read_.begin(), read_.end(), found.path) != read_.end()) return;
     read_.push_back(found.path);
     if (!found.as_named)
@@ -58,39 +78,68 @@ class Libraries {
     try {
       text = file_read_text(found.path, MTL_BYTES_MAX, "a material library");
     } catch (const InputError& failure) {
-      mesh_.notes.push_back(std::string(failure.what()) + "; the mesh is grey");
+      obj_.notes.add(line, std::string(failure.what()) + "; the mesh goes without it");
       complete_ = false;
       return;
     }
-    mtl_read(found.path, text, mesh_.materials, mesh_.notes);
+    FileFinder images({found.path.parent_path(), folder_});
+    mtl_read(found.path, text, images, mesh_.materials, mesh_.notes);
   }
 
   const Path folder_;
+  FileFinder files_;
   ObjFile& obj_;
   Mesh& mesh_;
   std::vector<Path> read_;
   bool complete_ = true;
 };
 
+// Materials by their names.
+class Names {
+ public:
+  explicit Names(const std::vector<MeshMaterial>& materials) : materials_(materials) {
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+      exact_.emplace(materials[i].name, static_cast<int>(i));
+      lower_.emplace(text_lower(materials[i].name), static_cast<int>(i));
+    }
+    for (std::size_t i = 0; i < materials.size(); ++i)  // "m #old", where no material is called m
+      exact_.emplace(std::string(name_before_hash(materials[i].name)), static_cast<int>(i));
+  }
+
+  // -1 for none.
+  int find(const std::string& name) const {
+    const auto whole = exact_.find(name);
+    if (whole != exact_.end()) return whole->second;
+    const auto part = exact_.find(std::string(name_before_hash(name)));
+    return part != exact_.end() && materials_[part->second].name == part->first ? part->second : -1;
+  }
+  int find_any_case(const std::string& name) const {
+    const auto found = lower_.find(text_lower(name));
+    return found != lower_.end() ? found->second : -1;
+  }
+
+ private:
+  const std::vector<MeshMaterial>& materials_;
+  std::map<std::string, int> exact_, lower_;
+};
+
 }  // namespace
 
 std::vector<int> obj_materials(const Path& file, ObjFile& obj, Mesh& mesh) {
   const bool complete = Libraries(file, obj, mesh).read();
-  const std::vector<MeshMaterial>& all = mesh.materials;
-  std::map<std::string, int> index;
-  for (std::size_t i = 0; i < all.size(); ++i) index.emplace(all[i].name, static_cast<int>(i));
-  for (std::size_t i = 0; i < all.size(); ++i)  // "m #old", where no material is called m
-    index.emplace(std::string(name_before_hash(all[i].name)), static_cast<int>(i));
+  const Names names(mesh.materials);
   std::vector<int> out;
   for (const ObjName& material : obj.materials) {
-    auto found = index.find(material.name);
-    if (found == index.end()) found = index.find(std::string(name_before_hash(material.name)));
-    const bool known =
-        found != index.end() && (found->first == material.name || all[found->second].name == found->first);
-    out.push_back(known ? found->second : -1);
-    if (!known && complete)
+    int found = names.find(material.name);
+    if (found < 0 && (found = names.find_any_case(material.name)) >= 0)
+      obj.notes.add(
+          material.line,
+          "no library has the material '" + material.name + "'; '" + mesh.materials[found].name + "' is taken for it",
+          "other case of a material");
+    else if (found < 0 && complete)
       obj.notes.add(material.line, "no library has the material '" + material.name + "'; its faces are grey",
                     "unknown material");
+    out.push_back(found);
   }
   return out;
 }

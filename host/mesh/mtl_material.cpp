@@ -46,7 +46,7 @@ class Conversion {
     if (illum.mirror) out_.reflection = weight(positive(m_.specular), "Ks");
     const double dissolve = m_.dissolve ? *m_.dissolve : 1 - m_.transparency.value_or(0);
     if (illum.glass)
-      glass(dissolve, number);
+      glass(number);
     else if (dissolve < 1)
       tell("is transparent (d or Tr); it is shown opaque");
     if (number == 0) unlit();
@@ -84,6 +84,8 @@ class Conversion {
     } else {
       tell("has no Kd; it is grey, 0.5");
     }
+    if (std::max({out_.diffuse.x, out_.diffuse.y, out_.diffuse.z}) > 1)
+      tell("has a Kd above 1: it sends back more light than arrives");
     if (has_map && out_.diffuse == dvec3(0)) tell("has a map_Kd, but Kd 0, which makes it black");
     if (!m_.emission_map.file.empty() && !m_.emission) out_.emission = dvec3(1);
     if (!m_.emission_map.file.empty()) tell("has a map_Ke: it glows, but lights nothing else");
@@ -98,11 +100,12 @@ class Conversion {
     return std::min(mean(color), 1.0);
   }
 
-  // What is not mirrored goes on inside: (1 - Ks) Tf, where Tf is 1 - d if it is not given.
-  void glass(double dissolve, int number) {
-    const double through = m_.filter ? weight(positive(m_.filter), "Tf") : std::clamp(1 - dissolve, 0.0, 1.0);
+  // What is not mirrored goes on inside: (1 - Ks) Tf. Files without Tf mean clear glass, or say with d how clear.
+  void glass(int number) {
+    const double clear = m_.dissolve ? 1 - *m_.dissolve : m_.transparency.value_or(1);
+    const double through = m_.filter ? weight(positive(m_.filter), "Tf") : std::clamp(clear, 0.0, 1.0);
     out_.refraction = (1 - out_.reflection) * through;
-    if (!(through > 0)) tell("has illum " + std::to_string(number) + ", but neither Tf nor d below 1: it is opaque");
+    if (!(through > 0)) tell("has illum " + std::to_string(number) + ", but Tf 0 or d 1: it is opaque");
     if (!m_.ior) return;
     if (*m_.ior > 0)
       out_.ior = *m_.ior;

@@ -61,10 +61,14 @@ Bounds grid_bounds(const Grid& grid, const GridStats& stats) {
   return bounds;
 }
 
+// With as many digits as tell its ends apart, wherever it stands: 4 of its longest side.
 std::string box_text(const Bounds& b) {
-  char text[160];
-  std::snprintf(text, sizeof text, "[%.4g, %.4g, %.4g] to [%.4g, %.4g, %.4g]", b.lo.x, b.lo.y, b.lo.z, b.hi.x, b.hi.y,
-                b.hi.z);
+  const dvec3 far = glm::max(glm::abs(b.lo), glm::abs(b.hi)), size = b.size();
+  const double ratio = std::max({far.x, far.y, far.z}) / std::max({size.x, size.y, size.z});
+  const int digits = std::isfinite(ratio) ? 4 + std::clamp(static_cast<int>(std::floor(std::log10(ratio))), 0, 12) : 4;
+  char text[200];
+  std::snprintf(text, sizeof text, "[%.*g, %.*g, %.*g] to [%.*g, %.*g, %.*g]", digits, b.lo.x, digits, b.lo.y, digits,
+                b.lo.z, digits, b.hi.x, digits, b.hi.y, digits, b.hi.z);
   return text;
 }
 

@@ -47,7 +47,7 @@ std::vector<CheckRow> check_layout(Context& context, int lanes, int) {
   const std::vector<std::size_t> sizes{sizeof(Packed3),      sizeof(Affine),       sizeof(Camera),  sizeof(Frame),
                                        sizeof(Light),        sizeof(Material),     sizeof(Texture), sizeof(Shape),
                                        sizeof(Triangle),     sizeof(Medium),       sizeof(Ray),     sizeof(Hit),
-                                       sizeof(MediumResult), sizeof(LightArrival), sizeof(Sample),  sizeof(FilmPixel)};
+                                       sizeof(MediumResult), sizeof(SurfaceResult), sizeof(Sample),  sizeof(FilmPixel)};
   const std::vector<float> found = Probe(context, scene, lanes).run("probe_layout", {0}, 1, sizes.size());
   ErrorSum sum("layout", lanes, "layout");
   for (std::size_t i = 0; i < sizes.size(); ++i) sum.add(found[i], static_cast<double>(sizes[i]));

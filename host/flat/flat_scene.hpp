@@ -27,6 +27,8 @@ struct FlatScene {
   Frame frame{};
 
   std::vector<Light> lights;
+  // Where lights are chosen (frame.light_picks < lights): light l is picked where [l], [l+1] of [0, 1] say; else empty.
+  std::vector<float> light_shares;
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::vector<float> texels;  // 3 per texel, linear RGB

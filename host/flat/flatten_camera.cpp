@@ -99,7 +99,7 @@ void flatten_lights(const SceneDesc& desc, FlatScene& scene) {
     light.inner = one_minus_cos(l.angle * (1 - l.softness));
     scene.lights.push_back(light);
   }
-  scene.frame.light_count = static_cast<int>(scene.lights.size());
+  scene.frame.light_count = scene.frame.light_picks = static_cast<int>(scene.lights.size());
 }
 
 }  // namespace brume

@@ -14,6 +14,7 @@ DeviceScene::DeviceScene(Context& context, const FlatScene& s, int tau_channels)
   buffers_ = {
       context.buffer("frame", sizeof(Frame), &s.frame),
       context.buffer("lights", s.lights),
+      context.buffer("light shares", s.light_shares),
       context.buffer("materials", s.materials),
       context.buffer("textures", s.textures),
       context.buffer("texture pixels", s.texels),

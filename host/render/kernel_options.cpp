@@ -32,7 +32,7 @@ std::string scene_options(const FlatScene& s) {
          define("PHASES_USED", bits_used(media, [](const Medium& m) { return m.phase; })) +
          define("SHAPES_USED", bits_used(s.shapes, [](const Shape& shape) { return shape.type; })) +
          define("TRIANGLES", !s.triangles.empty()) + define("TEXTURED", !s.textures.empty()) +
-         define("SPECULAR", scene_is_specular(s)) +
+         define("SPECULAR", scene_is_specular(s)) + define("LIGHTS_CHOSEN", !s.light_shares.empty()) +
          define("LIGHTS_USED", bits_used(s.lights, [](const Light& l) { return l.type; }));
 }
 
@@ -47,7 +47,7 @@ std::string kernel_options(const FlatScene& scene, const DeviceInfo& device, int
   return define("LANES", static_cast<unsigned>(lanes)) + define("BVH_WIDTH", static_cast<unsigned>(scene.bvh_width)) +
          define("FAST_FMA", device.fast_fma) +
          define("STORAGE", static_cast<unsigned>(scene.packed.empty() ? STORAGE_F32 : scene.storage)) +
-         define("MAX_DEPTH", static_cast<unsigned>(scene.frame.max_depth)) + (generic ? "" : scene_options(scene));
+         define("OUTLINE", device.cpu) + (generic ? "" : scene_options(scene));
 }
 
 }  // namespace brume

@@ -27,43 +27,66 @@ class Passes {
   double build_seconds() const { return build_seconds_; }
   double upload_seconds() const { return upload_seconds_; }
 
-  // Fills the light grids, if there are any, piece by piece while go_on(items done) holds; adds time and items to `stats`.
-  void fill_light_grids(std::vector<PassStats>& stats, const std::function<bool(double)>& go_on);
+  // Fills the light grids, if there are any, piece by piece while go_on(items done) holds.
+  void fill_light_grids(const std::function<bool(double)>& go_on);
   double light_grid_items() const;
-  // Enqueues all passes over one batch and waits; adds times and items to `stats`.
-  void run(const Batch& batch, std::vector<PassStats>& stats);
+  // All passes over one batch: a wave of camera rays, then one of the rays that they send on, until none is left. False where a wave
+  // would hold more rays than there is room for; the film is as before then. A batch of one sample always fits.
+  bool run(const Batch& batch);
   void read_film(Film& film, const Frame& frame, const Batch& batch) const;  // its pixels into their places
+
+  const std::vector<PassStats>& stats() const { return stats_; }  // of all that was run, in the order of the passes
 
  private:
   struct LightGridWork {
     cl_int medium, light;
     cl_uint first, items;
   };
-  enum Id { PRIMARY_RAYS, TRAVERSE_DDA, SHADOW_TRANSMITTANCE, SHADE, SECONDARY_RAYS, ACCUMULATE, PASS_COUNT };
-  bool runs(Id id) const {
-    return id == SHADOW_TRANSMITTANCE ? has_surfaces_ : (id == SECONDARY_RAYS ? has_specular_ : true);
-  }
+  // In the order in which they run; shared by the table of names and items in passes.cpp.
+  enum Id {
+    LIGHT_GRID,
+    PRIMARY_RAYS,
+    TRAVERSE_DDA,
+    SHADOW_TRANSMITTANCE,
+    SHADE,
+    SECONDARY_RAYS,
+    ACCUMULATE,
+    PASS_COUNT
+  };
+  bool runs(Id id) const;
   void create_kernels(const std::string& options);
   void plan_light_grids(const FlatScene& scene);
-  void create_buffers(std::size_t batch_rays, std::size_t lights);
-  void bind(const Batch& batch);
-  cl::Event launch(const cl::Kernel& kernel, std::size_t items);
-  cl::Event launch_light_grid(const LightGridWork& work);  // waits
-  void fill_light_grid(const LightGridWork& grid, PassStats& pass, bool& stopped,
+  void create_buffers(std::size_t batch_rays);
+  template <class... Values>
+  void enqueue(Id id, std::size_t items, const Values&... values);
+  void enqueue_wave(const Batch& batch, cl_uint wave, cl_uint rays);
+  cl_uint next_wave(cl_uint samples);  // rays of the next wave; 0: none
+  void finish();                       // waits for what is enqueued and adds its times to the statistics
+  void fill_light_grid(const LightGridWork& grid, double& done, bool& stopped,
                        const std::function<bool(double)>& go_on);
+  [[noreturn]] void failed(const cl::Error& error) const;
+
+  struct Enqueued {
+    Id id;
+    std::size_t items;
+    cl::Event event;
+  };
 
   Context& context_;
   Stopwatch watch_;  // laps over construction
   DeviceScene scene_;
   double upload_seconds_ = 0, build_seconds_ = 0;
   bool has_surfaces_, has_specular_;
-  std::size_t film_pixels_;
+  std::size_t film_pixels_, wave_rays_ = 0;
   std::size_t group_;
   std::vector<LightGridWork> light_grids_;
-  cl::Kernel light_grid_kernel_;
   std::array<cl::Kernel, PASS_COUNT> kernels_;
   std::array<cl_uint, PASS_COUNT> first_argument_{};
-  cl::Buffer rays_, hits_, results_, arrivals_, samples_, film_;
+  std::vector<Enqueued> enqueued_;
+  std::vector<PassStats> stats_;
+  Id running_ = PRIMARY_RAYS;  // for messages
+  std::vector<cl_uint> sent_counts_;
+  cl::Buffer rays_, hits_, results_, surfaces_, sent_, samples_, sample_sent_, sample_first_, film_;
 };
 
 }  // namespace brume

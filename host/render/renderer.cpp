@@ -91,14 +91,16 @@ bool Renderer::render(Film& film, const Progress& progress) {
   s.stats.primary_rays = 0;
   const double grid_items = s.passes->light_grid_items(), all = grid_items + s.total_rays();
   bool go_on = true;
-  std::vector<PassStats> light_grids;
-  s.passes->fill_light_grids(light_grids, [&](double items) { return go_on = progress(items / all); });
+  s.passes->fill_light_grids([&](double items) { return go_on = progress(items / all); });
   Pace pace(s.first_rays, s.batch_rays);
   std::size_t pixel = 0, sample = 0;
   while (go_on && pixel < s.crop_pixels) {
     const Batch batch = s.batch_at(pixel, sample, pace.next());
     const Stopwatch lap;
-    s.passes->run(batch, s.stats.passes);
+    if (!s.passes->run(batch)) {
+      pace.limit(batch.rays() / 2);
+      continue;
+    }
     pace.took(batch.rays(), lap.seconds());
     s.passes->read_film(film, s.frame, batch);
     s.stats.primary_rays += batch.rays();
@@ -109,7 +111,7 @@ bool Renderer::render(Film& film, const Progress& progress) {
     }
     go_on = progress((grid_items + s.stats.primary_rays) / all);
   }
-  s.stats.passes.insert(s.stats.passes.begin(), light_grids.begin(), light_grids.end());
+  s.stats.passes = s.passes->stats();
   s.stats.render_s += watch.seconds();
   finish(film);
   return s.stats.primary_rays == s.total_rays();

@@ -15,7 +15,7 @@ namespace brume {
 #define ROW(id, name, help) {CAMERA_##id, name, help},
 FAMILY(camera_family, CAMERA, BRUME_CAMERAS)
 #undef ROW
-#define ROW(id, name, help) {LIGHT_##id, name, help},
+#define ROW(id, name, help) {LIGHT_##id, #name, help},
 FAMILY(light_family, LIGHT, BRUME_LIGHTS)
 #undef ROW
 #define ROW(id, name, help) {FALLOFF_##id, name, help},

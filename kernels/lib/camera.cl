@@ -26,7 +26,7 @@ static inline float bounds_entry(__constant const Frame* frame, float3 point, fl
   return box_cut(vec_unpack(frame->bounds_lo), vec_unpack(frame->bounds_hi), point, dir, &t0, &t1) ? t0 : 0.0f;
 }
 
-static inline Ray camera_ray(__constant const Frame* frame, uint pixel, uint sample) {
+OUTLINED Ray camera_ray(__constant const Frame* frame, uint pixel, uint sample) {
   __constant const Camera* camera = &frame->camera;
   const float xi_x = rng_uniform(pixel, sample, 0, frame->seed);
   const float xi_y = rng_uniform(pixel, sample, 1, frame->seed);
@@ -47,6 +47,9 @@ static inline Ray camera_ray(__constant const Frame* frame, uint pixel, uint sam
   ray.pixel = pixel;
   ray.dir = vec_pack(dir);
   ray.sample = sample;
+  ray.weight = vec_pack((float3)(1.0f));
+  ray.seed = frame->seed;
+  ray.heirs = frame->max_depth > SECONDARY_DEPTH_WHOLE ? (float)SECONDARY_RAYS_MAX : INFINITY;
   ray.start = behind + t;
   return ray;
 }

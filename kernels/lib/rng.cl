@@ -3,6 +3,7 @@
 #define BRUME_LIB_RNG_CL
 #include "shared/frame.h"
 #include "shared/random.h"
+#include "shared/ray.h"
 
 static inline float rng_uniform(uint pixel, uint sample, uint dimension, uint seed) {
   uint x = pixel * 1664525u + 1013904223u;
@@ -45,6 +46,11 @@ static inline Random random_begin(__constant const Frame* frame, uint pixel, uin
   r.pixel = pixel;
   r.sample = sample;
   r.seed = frame->seed;
+  return r;
+}
+
+static inline Random ray_random(const Ray* ray) {
+  const Random r = {ray->pixel, ray->sample, ray->seed};
   return r;
 }
 

@@ -16,6 +16,7 @@
 typedef struct {
   __constant const Frame* frame;
   __global const Light* lights;
+  __global const float* light_shares;
   __global const Material* materials;
   __global const Texture* textures;
   __global const float* texels;
@@ -34,17 +35,17 @@ typedef struct {
 } Scene;
 
 #define SCENE_ARGS                                                                                        \
-  __constant const Frame *frame, __global const Light *lights, __global const Material *materials,        \
-      __global const Texture *textures, __global const float *texels, __global const Shape *shapes,       \
-      __global const Triangle *triangles, __global const float *bvh_nodes, __global const int *bvh_links, \
-      __global const float *bvh_blocks, __global const int *bvh_ids, __global const Medium *media,        \
-      __global const int *bricks, __global const float *ranges, __global const voxel_t *voxels,           \
-      __global const LightGrid *light_grids, __global const float *light_tau
+  __constant const Frame *frame, __global const Light *lights, __global const float *light_shares,        \
+      __global const Material *materials, __global const Texture *textures, __global const float *texels, \
+      __global const Shape *shapes, __global const Triangle *triangles, __global const float *bvh_nodes,  \
+      __global const int *bvh_links, __global const float *bvh_blocks, __global const int *bvh_ids,       \
+      __global const Medium *media, __global const int *bricks, __global const float *ranges,             \
+      __global const voxel_t *voxels, __global const LightGrid *light_grids, __global const float *light_tau
 
-#define SCENE_PACK                                                                                                   \
-  {                                                                                                                  \
-    frame, lights, materials, textures, texels, shapes, triangles, bvh_nodes, bvh_links, bvh_blocks, bvh_ids, media, \
-        bricks, ranges, voxels, light_grids, light_tau                                                               \
+#define SCENE_PACK                                                                                                 \
+  {                                                                                                                \
+    frame, lights, light_shares, materials, textures, texels, shapes, triangles, bvh_nodes, bvh_links, bvh_blocks, \
+        bvh_ids, media, bricks, ranges, voxels, light_grids, light_tau                                             \
   }
 
 #endif

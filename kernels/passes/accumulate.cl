@@ -21,44 +21,47 @@ static inline FilmPixel pixel_empty(void) {
 }
 
 // False where a sample would spoil its pixel: something in it left the range of float.
-static inline int sample_valid(const Sample* sample, Packed3 transmittance) {
+static inline int sample_valid(const Sample* sample) {
   const float3 size = fabs(vec_unpack(sample->radiance));
   return size.x <= SAMPLE_MAX && size.y <= SAMPLE_MAX && size.z <= SAMPLE_MAX &&
          isfinite(sample->normal.x + sample->normal.y + sample->normal.z) &&
-         isfinite(transmittance.x + transmittance.y + transmittance.z);
+         isfinite(sample->transmittance.x + sample->transmittance.y + sample->transmittance.z);
 }
 
-__kernel void accumulate(uint first_pixel, uint pixels, uint first_sample, uint samples, __global const Hit* hits,
-                         __global const MediumResult* results, __global const Sample* finished,
-                         __global FilmPixel* film) {
+OUTLINED void pixel_add(FilmPixel* sum, const Sample* sample) {
+  sum->shadow_rays += (float)sample->shadow_rays;
+  sum->secondary_rays += (float)sample->secondary_rays;
+  if (!sample_valid(sample)) {
+    sum->invalid += 1.0f;
+    return;
+  }
+  packed_add(&sum->radiance, sample->radiance);
+  packed_add(&sum->normal, sample->normal);
+  packed_add(&sum->transmittance, sample->transmittance);
+  sum->samples += 1.0f;
+  sum->lookups += (float)sample->lookups;
+  sum->dropped_rays += (float)sample->dropped_rays;
+  sum->dropped_weight += sample->dropped_weight;
+  sum->key += sample->key;
+  if (sample->hit) {
+    sum->depth += sample->depth;
+    sum->hits += 1.0f;
+  } else {
+    const float3 clear = vec_unpack(sample->transmittance);
+    sum->clear += (clear.x + clear.y + clear.z) / 3.0f;
+  }
+}
+
+__kernel void accumulate(uint first_pixel, uint pixels, uint first_sample, uint samples,
+                         __global const Sample* finished, __global FilmPixel* film) {
   const uint pixel = (uint)get_global_id(0);
   if (pixel >= pixels) return;
   FilmPixel sum = pixel_empty();
   if (first_sample > 0) sum = film[first_pixel + pixel];
+#pragma unroll 1
   for (uint s = 0; s < samples; ++s) {
-    const uint item = pixel * samples + s;
-    const Sample sample = finished[item];
-    sum.shadow_rays += (float)results[item].shadow_rays;
-    sum.secondary_rays += (float)results[item].secondary_rays;
-    if (!sample_valid(&sample, results[item].transmittance)) {
-      sum.invalid += 1.0f;
-      continue;
-    }
-    packed_add(&sum.radiance, sample.radiance);
-    packed_add(&sum.normal, sample.normal);
-    packed_add(&sum.transmittance, results[item].transmittance);
-    sum.samples += 1.0f;
-    sum.lookups += (float)results[item].lookups;
-    sum.dropped_rays += (float)results[item].dropped_rays;
-    sum.dropped_weight += results[item].dropped_weight;
-    sum.key += sample.key;
-    if (hits[item].primitive != PRIMITIVE_NONE) {
-      sum.depth += sample.depth;
-      sum.hits += 1.0f;
-    } else {
-      const float3 clear = vec_unpack(results[item].transmittance);
-      sum.clear += (clear.x + clear.y + clear.z) / 3.0f;
-    }
+    const Sample sample = finished[pixel * samples + s];
+    pixel_add(&sum, &sample);
   }
   film[first_pixel + pixel] = sum;
 }

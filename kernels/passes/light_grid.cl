@@ -56,7 +56,7 @@ __kernel void light_grid(SCENE_ARGS, int medium, int light_index, uint first, ui
     const float3 at = (float3)(light_grid_inside(u, grid.slope_u, k, grid.nu, margin, &moved),
                                light_grid_inside(v, grid.slope_v, k, grid.nv, margin, &moved), (float)k);
     const float3 p = affine_point(&grid.cell_from_grid, at), point = affine_point(&m.world_from_cell, p);
-    const LightSample light = light_sample(lights, light_index, point);
+    const LightSample light = light_sample(&scene, light_index, point, random);
     known = known && !moved;
     if (!known) tau = (tau_t)(0.0f);
     // Points on which no other builds are left out where nothing is looked up.

@@ -7,6 +7,5 @@ __kernel void traverse_dda(SCENE_ARGS, uint count, __global const Ray* rays, __g
   if (item >= count) return;
   const Scene scene = SCENE_PACK;
   const Ray ray = rays[item];
-  results[item] = media_scatter(&scene, vec_unpack(ray.origin), vec_unpack(ray.dir), hits[item].t,
-                                random_begin(frame, ray.pixel, ray.sample));
+  results[item] = media_scatter(&scene, vec_unpack(ray.origin), vec_unpack(ray.dir), hits[item].t, ray_random(&ray));
 }

@@ -96,7 +96,7 @@ PROBE(probe_texture) {
 PROBE(probe_light) {
   PROBE_ITEM;
   __global const float* v = in + 4 * item;
-  const LightSample s = light_sample(lights, as_int(v[0]), probe_load3(v + 1));
+  const LightSample s = light_sample(&scene, as_int(v[0]), probe_load3(v + 1), random_begin(frame, item, 0));
   probe_store3(s.travel, out + 7 * item);
   probe_store3(s.irradiance, out + 7 * item + 3);
   out[7 * item + 6] = s.distance;
@@ -150,6 +150,6 @@ PROBE(probe_layout) {
   const float sizes[] = {sizeof(Packed3),      sizeof(Affine),       sizeof(Camera),  sizeof(Frame),
                          sizeof(Light),        sizeof(Material),     sizeof(Texture), sizeof(Shape),
                          sizeof(Triangle),     sizeof(Medium),       sizeof(Ray),     sizeof(Hit),
-                         sizeof(MediumResult), sizeof(LightArrival), sizeof(Sample),  sizeof(FilmPixel)};
+                         sizeof(MediumResult), sizeof(SurfaceResult), sizeof(Sample),  sizeof(FilmPixel)};
   for (int i = 0; i < (int)(sizeof(sizes) / sizeof(float)); ++i) out[i] = sizes[i];
 }

@@ -154,14 +154,11 @@ static inline tau_t medium_scatter(const Scene* scene, int m, float3 origin, flo
 }
 
 // All media along a view ray.
-static inline MediumResult media_scatter(const Scene* scene, float3 origin, float3 dir, float t_max, Random random) {
+OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 dir, float t_max, Random random) {
   MediumResult result;
   result.lookups = 0;
   result.shadow_key = 0;
   result.shadow_rays = 0;
-  result.secondary_rays = 0;
-  result.dropped_rays = 0;
-  result.dropped_weight = 0.0f;
   float3 radiance = (float3)(0.0f);
   tau_t tau = (tau_t)(0.0f);
 #if BRUME_MEDIA

@@ -1,7 +1,7 @@
 // The light that reaches the segments of a stretch: S = Σ over lights of E · V · T · p.
 #ifndef BRUME_RADIANCE_SOURCES_CL
 #define BRUME_RADIANCE_SOURCES_CL
-#include "lib/light.cl"
+#include "lights/lights.cl"
 #include "phase/phase.cl"
 #include "radiance/light_grid.cl"
 #include "radiance/stretch.cl"
@@ -30,7 +30,7 @@ static inline float light_mean(float begin, float end, float depth) {
 // Light l at segment i: E · V · p, and V into the key. 0 when nothing arrives.
 static inline float3 segment_arriving(const Scene* scene, const Stretch* s, int l, int i, MediumResult* result) {
   const float3 point = vec_point(s->origin, s->dir, s->ray->t_begin + s->at->place[i]);
-  const LightSample light = light_sample(scene->lights, l, point);
+  const LightSample light = light_sample(scene, l, point, s->walk);
   if (!(vec_max(light.irradiance) > 0.0f)) return (float3)(0.0f);
   ++result->shadow_rays;
   if (scene_occluded(scene, point, -light.travel, light.distance)) {
@@ -105,42 +105,34 @@ static inline Colors sources_from_grid(const Scene* scene, const Stretch* s, Med
 // Depth of all media from a point of the view ray, at world distance t, to light l.
 static inline tau_t light_depth(const Scene* scene, const Stretch* s, int l, float t, Random random, uint* lookups) {
   const float3 point = vec_point(s->origin, s->dir, t);
-  const LightSample light = light_sample(scene->lights, l, point);
+  const LightSample light = light_sample(scene, l, point, s->walk);
   return media_tau(scene, -1, point, -light.travel, light.distance, random, lookups);
 }
 
-// Depths to light l from the ends of a dense segment: from END_INSET inside of them, and on from there in a straight line. One
-// begins where the one before ended: with one light the depth there is known.
-static inline void light_depths(const Scene* scene, Stretch* s, int l, int i, tau_t* begin, tau_t* end,
-                                MediumResult* result) {
-  const float size = s->at->size[i];
+// T of segment i to the light of shadow ray n. A dense segment asks at both ends, from END_INSET inside of them, and goes on from
+// there in a straight line. One begins where the one before ended: with one light the depth there is known.
+static inline float3 transmittance_traced(const Scene* scene, Stretch* s, int l, int n, int i, int dense,
+                                          const float* depth, MediumResult* result) {
+  const float size = s->at->size[i], begins = stretch_begin(s, i);
   const int known =
-      !BRUME_RANDOM && scene->frame->light_count == 1 && fabs(stretch_begin(s, i) - s->light_t) <= 0x1p-10f * size;
+      dense && !BRUME_RANDOM && scene->frame->light_count == 1 && fabs(begins - s->light_t) <= 0x1p-10f * size;
   const float share[2] = {known ? 0.0f : END_INSET, 1.0f - END_INSET};
   tau_t tau[2] = {s->light_tau, s->light_tau};
-  for (int e = known; e < 2; ++e)
-    tau[e] = fmin(light_depth(scene, s, l, mad_exact(share[e], size, stretch_begin(s, i)),
-                              stretch_random(s, i, (e ? STREAM_LIGHT_END : STREAM_LIGHT) + (uint)l), &result->lookups),
-                  (tau_t)(TAU_FINITE));
-  const tau_t slope = (tau[1] - tau[0]) / (share[1] - share[0]);
-  *begin = fmax(tau[0] - slope * share[0], (tau_t)(0.0f));
-  *end = fmax(tau[1] + slope * END_INSET, (tau_t)(0.0f));
-  s->light_tau = *end;
-  s->light_t = stretch_end(s, i);
-}
-
-// T of segment i to light l.
-static inline float3 transmittance_traced(const Scene* scene, Stretch* s, int l, int i, int dense, const float* depth,
-                                          MediumResult* result) {
-  if (!dense) {
-    const Random random = stretch_random(s, i, STREAM_LIGHT + (uint)l);
-    return (float3)(1.0f) * exp(-light_depth(scene, s, l, s->ray->t_begin + s->at->place[i], random, &result->lookups));
+  for (int e = known; e < 1 + dense; ++e) {
+    const float t = dense ? mad_exact(share[e], size, begins) : s->ray->t_begin + s->at->place[i];
+    const Random random = stretch_random(s, i, (e ? STREAM_LIGHT_END : STREAM_LIGHT) + (uint)n);
+    tau[e] = light_depth(scene, s, l, t, random, &result->lookups);
   }
-  tau_t begin, end;
-  light_depths(scene, s, l, i, &begin, &end, result);
+  if (!dense) return (float3)(1.0f) * exp(-tau[0]);
+  tau[0] = fmin(tau[0], (tau_t)(TAU_FINITE));
+  tau[1] = fmin(tau[1], (tau_t)(TAU_FINITE));
+  const tau_t slope = (tau[1] - tau[0]) / (share[1] - share[0]);
+  const tau_t begin = fmax(tau[0] - slope * share[0], (tau_t)(0.0f));
+  s->light_tau = fmax(tau[1] + slope * END_INSET, (tau_t)(0.0f));
+  s->light_t = stretch_end(s, i);
   float mean[3];
   for (int c = 0; c < TAU_CHANNELS; ++c)
-    mean[c] = light_mean(tau_channel(begin, c), tau_channel(end, c), depth[c * W + i]);
+    mean[c] = light_mean(tau_channel(begin, c), tau_channel(s->light_tau, c), depth[c * W + i]);
   return (float3)(mean[0], mean[TAU_CHANNELS / 2], mean[TAU_CHANNELS - 1]);
 }
 
@@ -151,11 +143,13 @@ static inline Colors sources_traced(const Scene* scene, Stretch* s, MediumResult
   for (int c = 0; c < TAU_CHANNELS; ++c) lanes_store(s->depth[c], depth + c * W);
   for (int i = 0; i < W; ++i) {
     float3 sum = (float3)(0.0f);
-    for (int l = 0; l < scene->frame->light_count; ++l) {
+    const float xi = light_choice(s->walk, stretch_id(s, i));
+    for (int n = 0; n < scene->frame->light_picks; ++n) {
       if (!(s->integral[i] > 0.0f)) continue;
-      const float3 arriving = segment_arriving(scene, s, l, i, result);
+      const LightPick pick = light_choose(scene, n, xi);
+      const float3 arriving = pick.weight * segment_arriving(scene, s, pick.light, i, result);
       if (!(vec_max(arriving) > 0.0f)) continue;
-      sum += arriving * transmittance_traced(scene, s, l, i, dense[i] != 0, depth, result);
+      sum += arriving * transmittance_traced(scene, s, pick.light, n, i, dense[i] != 0, depth, result);
     }
     x[i] = sum.x;
     y[i] = sum.y;

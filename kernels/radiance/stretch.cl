@@ -45,8 +45,10 @@ typedef struct {
 } Stretch;
 
 #if BRUME_RANDOM
+#define stretch_id(s, i) ((s)->id[i])
 #define stretch_random(s, i, stream) random_stream(random_stream((s)->walk, (s)->id[i]), stream)
 #else
+#define stretch_id(s, i) 0
 #define stretch_random(s, i, stream) ((s)->walk)
 #endif
 

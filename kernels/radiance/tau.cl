@@ -89,7 +89,9 @@ static inline tau_t track_tau(const Scene* scene, const Medium* medium, const Me
   Segments at;
   float integral[W];
   tau_t tau = (tau_t)(0.0f);
-  for (walk_next(scene, medium, ray, &walk, &at); at.count > 0; walk_next(scene, medium, ray, &walk, &at)) {
+  for (;;) {
+    walk_next(scene, medium, ray, &walk, &at);
+    if (at.count == 0) return tau;
     lanes_store(walk_integral(scene, medium, ray, &at), integral);
     for (int i = 0; i < at.count; ++i) {
       track_collide(medium, &random, &at, i, integral[i], sigma_t, &tau);
@@ -98,7 +100,6 @@ static inline tau_t track_tau(const Scene* scene, const Medium* medium, const Me
         return fmin(tau, (tau_t)(TAU_BLACK));
     }
   }
-  return tau;
 }
 #endif
 
@@ -118,8 +119,8 @@ static inline tau_t medium_tau(const Scene* scene, int m, float3 origin, float3 
 }
 
 // Optical depth of all media but `except` from the origin to t_max.
-static inline tau_t media_tau(const Scene* scene, int except, float3 origin, float3 dir, float t_max, Random random,
-                              uint* lookups) {
+OUTLINED tau_t media_tau(const Scene* scene, int except, float3 origin, float3 dir, float t_max, Random random,
+                         uint* lookups) {
   tau_t tau = (tau_t)(0.0f);
 #if BRUME_MEDIA
   for (int m = 0; m < MEDIA_END(scene); ++m)

@@ -60,8 +60,7 @@ static inline float3 cylinder_normal(const Cylinder* c, float3 point, float2* uv
     *uv = (float2)(0.5f * (p.x / c->radius + 1.0f), 0.5f * (p.y / c->radius + 1.0f));
     return p.z < 0.5f * c->height ? -c->axis : c->axis;
   }
-  const float u = atan2(p.y, p.x) * (0.5f * INV_PI_F);
-  *uv = (float2)(u < 0.0f ? u + 1.0f : u, p.z / c->height);
+  *uv = (float2)(azimuth(p.y, p.x), p.z / c->height);
   return (p.x * c->side_x + p.y * c->side_y) / radial;
 }
 

@@ -28,8 +28,11 @@ static inline float sphere_hit(float3 center, float radius, float3 origin, float
 }
 
 static inline float2 sphere_uv(float3 normal) {
-  const float u = atan2(-normal.z, normal.x) * (0.5f * INV_PI_F);
-  return (float2)(u < 0.0f ? u + 1.0f : u, 1.0f - acos(clamp(normal.y, -1.0f, 1.0f)) * INV_PI_F);
+#if BRUME_TEXTURED
+  return (float2)(azimuth(-normal.z, normal.x), 1.0f - acos(clamp(normal.y, -1.0f, 1.0f)) * INV_PI_F);
+#else
+  return (float2)(0.0f);
+#endif
 }
 
 #endif

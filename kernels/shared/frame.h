@@ -22,8 +22,9 @@ typedef struct {
   int crop_x0, crop_y0, crop_x1, crop_y1;  // pixels rendered: [x0,x1) x [y0,y1)
   Packed3 bounds_lo,
       bounds_hi;         // a box about everything finite, where camera rays start; lo = hi: there is nothing finite
+  int light_picks;       // how many lights a point asks: all, or fewer that it chooses by FlatScene::light_shares
   int hides_background;  // 1: camera rays see nothing where they hit nothing; mirrors and glass go on seeing it
 } Frame;
-BRUME_LAYOUT(Frame, 176);
+BRUME_LAYOUT(Frame, 180);
 BRUME_SHARED_END
 #endif

@@ -18,6 +18,10 @@
 #define RULE_IS(medium, id) \
   (((RULES_USED >> RULE_##id) & 1) && (RULES_USED == (1 << RULE_##id) || method_rule((medium)->method) == RULE_##id))
 
+#define WALKED_IS(medium, id)                     \
+  (((PLACEMENTS_WALKED >> PLACEMENT_##id) & 1) && \
+   (PLACEMENTS_WALKED == (1 << PLACEMENT_##id) || method_placement((medium)->method) == PLACEMENT_##id))
+
 typedef struct {
   Dda dda;
   Steps steps;
@@ -37,14 +41,12 @@ static inline Walk walk_begin(const Medium* medium, const MediumRay* ray, Random
   return w;
 }
 
-// The next up to W segments in order along the ray; count 0 at the end.
-static inline void walk_next(const Scene* scene, const Medium* medium, const MediumRay* ray, Walk* w, Segments* out) {
-  if (RULE_IS(medium, PRODUCT)) {
-    homogeneous_fill(&w->steps, out);
-  } else if (PLACEMENT_IS(medium, STEPS)) {
+// The next up to W segments of a medium that is not constant.
+OUTLINED void walk_next_stored(const Scene* scene, const Medium* medium, const MediumRay* ray, Walk* w, Segments* out) {
+  if (WALKED_IS(medium, STEPS)) {
     steps_fill(scene, medium, ray, &w->steps, out);
 #if BRUME_TRACKING
-  } else if (PLACEMENT_IS(medium, COLLISIONS)) {
+  } else if (WALKED_IS(medium, COLLISIONS)) {
     track_fill(scene, medium, &w->dda, &w->track, out);
 #endif
   } else {
@@ -52,8 +54,16 @@ static inline void walk_next(const Scene* scene, const Medium* medium, const Med
   }
 }
 
+// The next up to W segments in order along the ray; count 0 at the end.
+static inline void walk_next(const Scene* scene, const Medium* medium, const MediumRay* ray, Walk* w, Segments* out) {
+  if (RULE_IS(medium, PRODUCT))
+    homogeneous_fill(&w->steps, out);
+  else
+    walk_next_stored(scene, medium, ray, w, out);
+}
+
 // ∫ρ over each of the segments, in world length. A rule without its function does not compile.
-static inline floatW walk_integral(const Scene* scene, const Medium* medium, const MediumRay* ray, const Segments* at) {
+OUTLINED floatW walk_integral(const Scene* scene, const Medium* medium, const MediumRay* ray, const Segments* at) {
 #define RULE(id, function, lookups) \
   if (RULE_IS(medium, id)) return function##_integral(medium, scene->voxels, ray, at);
   BRUME_RULES(RULE)
@@ -88,8 +98,9 @@ static inline float walk_total(const Scene* scene, const Medium* medium, const M
   Walk walk = walk_begin(medium, ray, random, 1);
   Segments at;
   float total = 0.0f;
-  for (walk_next(scene, medium, ray, &walk, &at); at.count > 0 && total * sigma < TAU_STOP;
-       walk_next(scene, medium, ray, &walk, &at)) {
+  while (total * sigma < TAU_STOP) {  // one call of walk_next: every call site is compiled anew
+    walk_next_stored(scene, medium, ray, &walk, &at);
+    if (at.count == 0) break;
     total += lanes_sum(walk_integral(scene, medium, ray, &at));
     *lookups += walk_lookups(medium, &at);
   }

@@ -26,7 +26,7 @@ static inline int sphere_region_cut(float3 lo, float3 hi, float3 o, float3 d, fl
   return *t0 <= *t1;
 }
 
-OUTLINED MediumRay medium_ray(const Medium* medium, float3 origin, float3 dir, float t_max) {
+static inline MediumRay medium_ray(const Medium* medium, float3 origin, float3 dir, float t_max) {
   MediumRay r;
   r.dir = affine_dir(&medium->cell_from_world, dir);
   const float3 o = affine_point(&medium->cell_from_world, origin);

@@ -48,7 +48,7 @@ static inline float3 shape_normal(const Shape* shape, float3 point, float2* uv) 
   return (float3)(0.0f, 0.0f, 1.0f);
 }
 
-OUTLINED Surface surface_at(const Scene* scene, const Ray* ray, const Hit* hit) {
+static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* hit) {
   Surface s;
   const float3 dir = vec_unpack(ray->dir);
   s.point = vec_point(vec_unpack(ray->origin), dir, hit->t);

@@ -119,7 +119,7 @@ static inline tau_t medium_tau(const Scene* scene, int m, float3 origin, float3 
 }
 
 // Optical depth of all media but `except` from the origin to t_max.
-OUTLINED tau_t media_tau(const Scene* scene, int except, float3 origin, float3 dir, float t_max, Random random,
+static inline tau_t media_tau(const Scene* scene, int except, float3 origin, float3 dir, float t_max, Random random,
                          uint* lookups) {
   tau_t tau = (tau_t)(0.0f);
 #if BRUME_MEDIA

@@ -38,7 +38,7 @@ static inline float shape_hit(const Shape* shape, float3 origin, float3 dir) {
 }
 
 // Nearest surface with 0 < t < t_max; `any`: the first one found will do.
-OUTLINED Hit scene_hit(const Scene* scene, float3 origin, float3 dir, float t_max, int any) {
+static inline Hit scene_hit(const Scene* scene, float3 origin, float3 dir, float t_max, int any) {
   Hit hit;
   hit.t = t_max;
   hit.primitive = PRIMITIVE_NONE;

@@ -42,7 +42,7 @@ static inline Walk walk_begin(const Medium* medium, const MediumRay* ray, Random
 }
 
 // The next up to W segments of a medium that is not constant.
-OUTLINED void walk_next_stored(const Scene* scene, const Medium* medium, const MediumRay* ray, Walk* w, Segments* out) {
+static inline void walk_next_stored(const Scene* scene, const Medium* medium, const MediumRay* ray, Walk* w, Segments* out) {
   if (WALKED_IS(medium, STEPS)) {
     steps_fill(scene, medium, ray, &w->steps, out);
 #if BRUME_TRACKING
@@ -63,7 +63,7 @@ static inline void walk_next(const Scene* scene, const Medium* medium, const Med
 }
 
 // ∫ρ over each of the segments, in world length. A rule without its function does not compile.
-OUTLINED floatW walk_integral(const Scene* scene, const Medium* medium, const MediumRay* ray, const Segments* at) {
+static inline floatW walk_integral(const Scene* scene, const Medium* medium, const MediumRay* ray, const Segments* at) {
 #define RULE(id, function, lookups) \
   if (RULE_IS(medium, id)) return function##_integral(medium, scene->voxels, ray, at);
   BRUME_RULES(RULE)

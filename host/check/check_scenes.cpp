@@ -189,6 +189,18 @@ constexpr SceneText SCENES[] = {
   "lights": [{"type": "point", "position": [0.4, 1.6, 0.5], "intensity": [2, 1.5, 1]}],
   "media": [{"density": {"type": "linear", "resolution": [20, 24, 20]}, "sigma_a": 0.3, "sigma_s": 3}],
   "render": {"method": "residual_ratio"}})"},
+    {"lights_chosen", R"({
+  "camera": {"eye": [1.2, 0.9, 3.4], "target": [0, 0, 0], "vfov": 40}, "background": [0.1, 0.1, 0.2],
+  "lights": [{"type": "point", "position": [0.9, 0.8, 0.4], "intensity": [2, 1, 1]},
+             {"type": "point", "position": [-0.9, 0.7, 0.8], "intensity": [1, 2, 1]},
+             {"type": "point", "position": [0.2, 1.6, -0.6], "intensity": [1, 1, 3]},
+             {"type": "spot", "position": [1, 2, 1], "direction": [-0.5, -1, -0.5], "angle": 30, "intensity": [6, 6, 5]},
+             {"type": "directional", "direction": [0.3, -1, -0.4], "irradiance": [1, 1, 1]}],
+  "materials": {"mirror": {"diffuse": [0.6, 0.5, 0.6], "reflection": 0.4}},
+  "shapes": [{"type": "sphere", "center": [-0.3, -0.2, 0], "radius": 0.5, "material": "mirror"},
+             {"type": "quad", "corner": [-2, -0.8, -2], "u": [0, 0, 4], "v": [4, 0, 0], "material": "mirror"}],
+  "media": [{"density": {"type": "perlin", "resolution": [12, 11, 12], "scale": 3}, "sigma_a": 0.2, "sigma_s": 1.5}],
+  "render": {"light_samples": 2, "max_depth": 2}})"},
     {"empty", R"({"background": [0.25, 0.5, 0.75], "film": {"spp": 5}})"},
 };
 

@@ -47,7 +47,7 @@ void step_tiny(StabilityRun& run) {
   rays.through({0.1, 0.2, 0.3}, {0.3, 0.2, 1});
   FlatScene scene = run.cube("", "", R"("step": 1e-5)");
   scene.lights.clear();
-  scene.frame.light_count = 0;
+  scene.frame.light_count = scene.frame.light_picks = 0;
   run.compare(scene, rays, 2e-3, true);
 }
 
@@ -57,7 +57,7 @@ void depth_range(StabilityRun& run, const char* rule, bool bounded) {
   FlatScene scene = run.cube(run.method() == METHOD_HOMOGENEOUS ? "" : R"({"type": "linear", "resolution": [8, 8, 8]})",
                              "", std::string(R"("in_scattering": ")") + rule + "\"");
   scene.lights.clear();
-  scene.frame.light_count = 0;
+  scene.frame.light_count = scene.frame.light_picks = 0;
   scene.frame.background = {0, 0, 0};
   Medium& medium = scene.media[0];
   medium.sigma_s = {0, 0, 0};

@@ -1,4 +1,4 @@
-// Camera, film size, background and lights.
+// Camera, film size and background.
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -30,21 +30,6 @@ void camera_place(const CameraDesc& c, const Bounds& bounds, const dvec3& forwar
   }
   camera.axis = packed(along > -distance ? target + along * forward : eye);
   camera.back = static_cast<float>(distance + along);
-}
-
-// A light beyond FAR gets a length of its own, so that its distance is some FAR of them.
-void light_place(const LightDesc& desc, const FlatScene& scene, Light& light) {
-  const dvec3 position = scene.point(desc.position), size = glm::abs(position);
-  light.exponent = std::max(0, static_cast<int>(std::ceil(std::log2(std::max({size.x, size.y, size.z, FAR}) / FAR))));
-  const double length = std::exp2(light.exponent);
-  light.position = packed(position / length);
-  if (light.falloff == FALLOFF_INVERSE_SQUARE)
-    light.intensity = packed(desc.intensity / (scene.unit * length) / (scene.unit * length));
-}
-
-float one_minus_cos(double degrees) {
-  const double half = std::sin(glm::radians(0.5 * degrees));
-  return static_cast<float>(2 * half * half);
 }
 
 Bounds flat_bounds(const Bounds& world, const FlatScene& scene) {
@@ -85,21 +70,6 @@ void flatten_camera(const SceneDesc& desc, const Bounds& world_bounds, FlatScene
   frame.roulette = static_cast<float>(desc.render.roulette);
   frame.max_depth = desc.render.max_depth;
   frame.seed = static_cast<uint>(desc.render.seed);
-}
-
-void flatten_lights(const SceneDesc& desc, FlatScene& scene) {
-  for (const LightDesc& l : desc.lights) {
-    Light light{};
-    light.type = l.type;
-    light.falloff = l.falloff;
-    light.direction = packed(glm::normalize(l.direction));
-    light.intensity = packed(l.intensity);
-    if (l.type != LIGHT_DIRECTIONAL) light_place(l, scene, light);
-    light.outer = one_minus_cos(l.angle);
-    light.inner = one_minus_cos(l.angle * (1 - l.softness));
-    scene.lights.push_back(light);
-  }
-  scene.frame.light_count = scene.frame.light_picks = static_cast<int>(scene.lights.size());
 }
 
 }  // namespace brume

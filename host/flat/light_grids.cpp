@@ -14,9 +14,11 @@ namespace {
 using glm::ivec3;
 
 // A grid pays where a ray to the light is a walk through voxels.
-bool wants_light_grids(const SceneDesc& desc, const Medium& m) {
+bool wants_light_grids(const SceneDesc& desc, const Medium& m, const FlatScene& scene) {
+  const bool chosen =
+      !scene.light_shares.empty();  // each point other lights: a grid for every light is what choosing spares
   const bool scatters = std::max({m.sigma_s.x, m.sigma_s.y, m.sigma_s.z}) > 0;
-  return desc.render.shadow == SHADOW_GRID && !m.is_constant && !desc.lights.empty() && scatters;
+  return desc.render.shadow == SHADOW_GRID && !m.is_constant && !desc.lights.empty() && scatters && !chosen;
 }
 
 dmat4 matrix(const Affine& a) {
@@ -104,7 +106,7 @@ LightGrid grid_along(const Lattice& lattice, const dvec3& travel) {
 }  // namespace
 
 void light_grids_append(const SceneDesc& desc, Medium& medium, FlatScene& scene) {
-  if (!wants_light_grids(desc, medium)) return;
+  if (!wants_light_grids(desc, medium, scene)) return;
   const Lattice lattice = lattice_of(medium, desc.render.light_grid);
   const dmat4 cell_from_world = matrix(medium.cell_from_world);
   medium.light_grids = static_cast<int>(scene.light_grids.size()) + 1;

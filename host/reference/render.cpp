@@ -27,14 +27,16 @@ Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& 
   const FlatScene& scene = context.scene;
   const Material& material = scene.materials[static_cast<std::size_t>(surface.material)];
   Lit lit{surface.emission + vec_promote(material.ambient) * vec_promote(scene.frame.ambient)};
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const dvec3 to_light = -light_at(scene.lights[i], surface.point).travel;
+  uint n = 0;
+  for (const LightPick& pick : light_picks(scene, random, 0, context.exact())) {
+    const RandomStream shadow = random.child(STREAM_LIGHT + n++);
+    const dvec3 to_light = -light_at(scene.lights[pick.light], surface.point).travel;
     if (!(glm::dot(surface.normal, to_light) > 0)) continue;
     const dvec3 origin = surface_leave(surface, to_light);
-    const Arrival arrival = light_arrival(context, i, surface.point, origin, random, lookups);
+    const Arrival arrival = light_arrival(context, pick.light, surface.point, origin, shadow, lookups);
     if (arrival.blocked) continue;
-    lit.lights |= 1u << (i % 32);
-    lit.radiance += arrival.irradiance * surface_reflect(scene, surface, view_dir, arrival.light.travel);
+    lit.lights |= 1u << (pick.light % 32);
+    lit.radiance += pick.weight * arrival.irradiance * surface_reflect(scene, surface, view_dir, arrival.light.travel);
   }
   return lit;
 }

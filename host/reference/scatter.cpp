@@ -77,9 +77,7 @@ Arrival light_arrival(const Context& context, std::size_t index, const dvec3& po
   const RayD shadow{ray_origin, -arrival.light.travel};
   arrival.blocked = occluded(context.scene, context.bounds, shadow, arrival.light.distance);
   if (arrival.blocked || !arrival.light.shines()) return arrival;
-  const dvec3 tau = media ? *media
-                          : media_tau(context, shadow, arrival.light.distance,
-                                      random.child(STREAM_LIGHT + static_cast<uint>(index)), lookups);
+  const dvec3 tau = media ? *media : media_tau(context, shadow, arrival.light.distance, random, lookups);
   arrival.irradiance = arrival.light.irradiance * transmittance_of(tau);
   return arrival;
 }

@@ -55,7 +55,7 @@ struct Arrival {
   bool blocked;      // by a surface
   dvec3 irradiance;  // E·V·T_light
 };
-// `random` is that of the ray or segment that asks. media: τ of all media to the light where it is known already.
+// `random` is that of the shadow ray. media: τ of all media to the light where it is known already.
 Arrival light_arrival(const Context& context, std::size_t light, const dvec3& point, const dvec3& ray_origin,
                       const RandomStream& random, double& lookups, const dvec3* media = nullptr);
 

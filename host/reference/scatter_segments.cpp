@@ -30,7 +30,9 @@ double mean_between(double a, double b) { return std::exp(-std::min(a, b)) * mea
 struct Segment {
   int medium;
   double t;
-  RandomStream random;
+  RandomStream walk;    // of the walk that it belongs to,
+  uint id;              // which number it has there,
+  RandomStream random;  // and its own
   bool dense = false;
   double begin = 0, end = 0;
   dvec3 depth{0};  // of all media over it
@@ -49,12 +51,11 @@ dvec3 light_depth(const Context& context, int index, std::size_t light, const dv
   return light_grid_tau(depths, light_grid_of(context.scene, medium, light), medium, light, point);
 }
 
-// Mean of T to a light over a segment, weighted with the segment's own ρT.
-dvec3 light_transmittance(const Context& context, const Segment& at, std::size_t light, const RayD& ray,
+// Mean of T to a light, that of shadow ray n, over a segment, weighted with the segment's own ρT.
+dvec3 light_transmittance(const Context& context, const Segment& at, std::size_t light, uint n, const RayD& ray,
                           double& lookups) {
-  const auto l = static_cast<uint>(light);
   const auto depth = [&](double t, uint stream) {
-    return light_depth(context, at.medium, light, ray.at(t), at.random.child(stream + l), lookups);
+    return light_depth(context, at.medium, light, ray.at(t), at.random.child(stream + n), lookups);
   };
   if (!at.dense) return transmittance_of(depth(at.t, STREAM_LIGHT));
   // from inside both ends, of which one may lie on a face of a medium along which light travels, and on in a straight line
@@ -73,12 +74,15 @@ dvec3 source_at(const Context& context, const Segment& at, const RayD& ray, Scat
   dvec3 source(0);
   if (vec_promote(medium.sigma_s) == dvec3(0)) return source;
   const dvec3 point = ray.at(at.t), nothing(0);
-  for (std::size_t i = 0; i < context.scene.lights.size(); ++i) {
-    const Arrival arrival = light_arrival(context, i, point, point, at.random, result.lookups, &nothing);
+  uint n = 0;
+  for (const LightPick& pick : light_picks(context.scene, at.walk, at.id)) {
+    const uint shadow = n++;
+    const Arrival arrival = light_arrival(context, pick.light, point, point, {}, result.lookups, &nothing);
     if (!arrival.light.shines()) continue;
-    if (arrival.blocked) result.shadow_key += static_cast<uint>(i + 1);
+    if (arrival.blocked) result.shadow_key += static_cast<uint>(pick.light + 1);
     if (arrival.irradiance == dvec3(0)) continue;
-    source += arrival.irradiance * light_transmittance(context, at, i, ray, result.lookups) *
+    source += pick.weight * arrival.irradiance *
+              light_transmittance(context, at, pick.light, shadow, ray, result.lookups) *
               phase_eval(medium.phase, medium.g, glm::dot(arrival.light.travel, -ray.dir));
   }
   return source;
@@ -154,7 +158,8 @@ struct MediumWalk {
     const dvec3 depth = sigma_t * segment.density_length + other_depth, before = own_tau + other_tau;
     const bool dense =
         takes_ends && rule == IN_SCATTERING_SEGMENT && largest(depth) > (medium.is_constant ? 1.0 / 512 : 1.0 / 16);
-    const Segment at{index, segment.sample, walk.child(segment.id), dense, segment.t_begin, segment.t_end, depth};
+    const Segment at{index, segment.sample,  walk,          segment.id, walk.child(segment.id),
+                     dense, segment.t_begin, segment.t_end, depth};
     dvec3 gain;
     for (int c = 0; c < 3; ++c) gain[c] = gain_of(rule, segment.density_length, before[c], depth[c]);
     result.radiance += sent_from(context, at, ray, result) * gain;
@@ -211,7 +216,7 @@ void medium_track(const Context& context, int index, const RayD& ray, double t_m
     const CollisionWorth worth = collide(collision, sigma_t, walk, medium.method, transmittance);
     result.lookups += collision.spacing > 0;
     if (worth.weight > 0) {
-      const Segment at{index, collision.t, walk.child(collision.id)};
+      const Segment at{index, collision.t, walk, collision.id, walk.child(collision.id)};
       const dvec3 tau = others.advance(collision.t, at.random.child(STREAM_OTHERS), result.lookups);
       result.radiance += sent_from(context, at, ray, result) * worth.before * transmittance_of(tau) * worth.weight;
     }

@@ -145,6 +145,7 @@ struct MediumDesc {
 
 inline constexpr int METHOD_AUTO = -1;
 inline constexpr int SHADOW_AUTO = -1;
+inline constexpr int LIGHT_SAMPLES_AUTO = -1;
 
 struct RenderDesc {
   int method = METHOD_AUTO;
@@ -153,6 +154,7 @@ struct RenderDesc {
   int shadow = SHADOW_AUTO;
   int storage = STORAGE_F32;
   int light_grid = 64;  // shadow grid: cells of the light grid along the medium's longest side
+  int light_samples = LIGHT_SAMPLES_AUTO;  // how many lights a point asks; 0: all
   double roulette = 0;  // transmittance below which view rays end at random; 0: never
   int max_depth = 5;
   int seed = 0;

@@ -142,7 +142,7 @@ Json density_json(const DensityDesc& d, const Folder& folder) {
 }
 
 Json render_json(const RenderDesc& r) {
-  return {{"method", r.method == METHOD_AUTO ? "auto" : family_name(method_family(), r.method)},
+  Json json{{"method", r.method == METHOD_AUTO ? "auto" : family_name(method_family(), r.method)},
           {"step", number(r.step)},
           {"in_scattering", family_name(in_scattering_family(), r.in_scattering)},
           {"shadow", r.shadow == SHADOW_AUTO ? "auto" : family_name(shadow_family(), r.shadow)},
@@ -151,6 +151,8 @@ Json render_json(const RenderDesc& r) {
           {"roulette", r.roulette},
           {"max_depth", r.max_depth},
           {"seed", r.seed}};
+  if (r.light_samples != LIGHT_SAMPLES_AUTO) json["light_samples"] = r.light_samples;
+  return json;
 }
 
 Json medium_json(const MediumDesc& m, const Folder& folder) {

@@ -30,9 +30,11 @@ KERNELS = {
     "shapes": "shared lib",
     "phase": "shared lib",
     "transmittance": "shared lib",
-    "radiance": "shared lib shapes phase transmittance",
-    "passes": "shared lib shapes phase transmittance radiance",
-    "probes": "shared lib shapes phase transmittance radiance",
+    "lights": "shared lib",
+    "radiance": "shared lib shapes lights phase transmittance",
+    "path": "shared lib shapes lights phase transmittance radiance",
+    "passes": "shared lib shapes lights phase transmittance radiance path",
+    "probes": "shared lib shapes lights phase transmittance radiance path",
 }
 # Third-party header -> the rooms that may see it.
 LIBRARIES = {

@@ -153,6 +153,13 @@ static inline tau_t medium_scatter(const Scene* scene, int m, float3 origin, flo
   return tau;
 }
 
+// A medium that only weakens what is behind it needs no places for light, and nobody asks what the others do along it. Random walks go
+// the same way as ever.
+static inline int medium_only_absorbs(const Medium* medium) {
+  return !BRUME_ROULETTE && !PLACEMENT_IS(medium, COLLISIONS) &&
+         !(vec_max(vec_unpack(medium->sigma_s)) > 0.0f || vec_max(vec_unpack(medium->emission)) > 0.0f);
+}
+
 // All media along a view ray.
 OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 dir, float t_max, Random random) {
   MediumResult result;
@@ -162,8 +169,11 @@ OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 di
   float3 radiance = (float3)(0.0f);
   tau_t tau = (tau_t)(0.0f);
 #if BRUME_MEDIA
-  for (int m = 0; m < MEDIA_END(scene); ++m)
-    tau += medium_scatter(scene, m, origin, dir, t_max, random, &radiance, &result);
+  for (int m = 0; m < MEDIA_END(scene); ++m) {
+    const Medium medium = scene->media[m];
+    tau += medium_only_absorbs(&medium) ? medium_tau(scene, m, origin, dir, t_max, random, &result.lookups)
+                                        : medium_scatter(scene, m, origin, dir, t_max, random, &radiance, &result);
+  }
 #endif
   result.transmittance = vec_pack((float3)(1.0f) * exp(-tau));
   result.radiance = vec_pack(radiance);

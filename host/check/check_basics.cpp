@@ -66,6 +66,7 @@ std::vector<CheckRow> check_rng(Context& context, int lanes, int items) {
 }
 
 std::vector<CheckRow> check_camera(Context& context, int lanes, int items) {
+  const int samples = 1 << 20;  // as many as a scene may ask for: all bits of their number are seen
   std::vector<CheckRow> rows;
   for (const char* name : {"surfaces", "mesh"}) {  // perspective, orthographic
     const FlatScene scene = check_scene(name, 64, std::max(lanes, 4));
@@ -73,16 +74,15 @@ std::vector<CheckRow> check_camera(Context& context, int lanes, int items) {
     std::vector<float> in;
     for (int i = 0; i < items; ++i) {
       in.push_back(bits_as_float(i * 37 % (camera.width * camera.height)));
-      in.push_back(bits_as_float(i % camera.spp));
+      in.push_back(bits_as_float(i * 7919 % samples));
     }
     const std::vector<float> found = Probe(context, scene, lanes).run("probe_camera", in, 2, 6);
     ErrorSum sum(std::string("camera/") + (camera.type == CAMERA_PERSPECTIVE ? "perspective" : "orthographic"), lanes,
                  "camera");
     for (int i = 0; i < items; ++i) {
-      const int pixel = i * 37 % (camera.width * camera.height), sample = i % camera.spp;
-      const auto u = [&](uint dimension) { return reference::rng_uniform(pixel, sample, dimension, scene.frame.seed); };
+      const int pixel = i * 37 % (camera.width * camera.height), sample = i * 7919 % samples;
       const auto ray = reference::frame_ray(scene.frame, pixel % camera.width, pixel / camera.width,
-                                            reference::pixel_position(sample, camera.spp, u(0), u(1)))
+                                            reference::pixel_position(pixel, sample, camera.spp, scene.frame.seed))
                            .ray;
       add3(sum, &found[6 * i], ray.origin);
       add3(sum, &found[6 * i + 3], ray.dir);

@@ -205,9 +205,7 @@ PixelD pixel_render(const Context& context, int x, int y) {
   const uint pixel = static_cast<uint>(y) * static_cast<uint>(frame.camera.width) + static_cast<uint>(x);
   PixelD sum;
   for (int sample = 0; sample < std::max(1, frame.camera.spp); ++sample) {
-    const double xi0 = rng_uniform(pixel, static_cast<uint>(sample), 0, frame.seed);
-    const double xi1 = rng_uniform(pixel, static_cast<uint>(sample), 1, frame.seed);
-    const dvec2 position = pixel_position(sample, frame.camera.spp, xi0, xi1);
+    const dvec2 position = pixel_position(pixel, static_cast<uint>(sample), frame.camera.spp, frame.seed);
     const FrameRayD camera = start_before_planes(context.scene, frame_ray(frame, x, y, position));
     PixelD one = ray_render(context, camera.ray, {pixel, static_cast<uint>(sample), frame.seed});
     one.depth = (one.depth + one.hits * camera.start) * context.scene.unit;

@@ -1,7 +1,9 @@
 // Media: which method each uses, where its grid lies, its coefficients.
 #include <algorithm>
+#include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <map>
 
 #include "base/error.hpp"
 #include "flat/flatten_parts.hpp"
@@ -58,6 +60,19 @@ int method_resolve(const SceneDesc& desc, const MediumDesc& m) {
   return desc.render.method;
 }
 
+// Every grid is read or made once, however many media name it.
+class LoadedGrids {
+ public:
+  std::shared_ptr<const Grid> get(const DensitySpec& spec) {
+    std::shared_ptr<const Grid>& grid = grids_[density_key(spec)];
+    if (!grid) grid = std::make_shared<const Grid>(density_make(spec));
+    return grid;
+  }
+
+ private:
+  std::map<std::string, std::shared_ptr<const Grid>> grids_;
+};
+
 double constant_value(const DensityDesc& d) { return d.of ? d.of->value : d.value; }
 
 dmat4 lattice_onto_bounds(const std::array<dvec3, 2>& bounds, const dvec3& size) {
@@ -78,11 +93,11 @@ void refuse_tracked_light_grid(const SceneDesc& desc, int method) {
                      "', whose error only falls over many light rays; allowed with it: trace, auto");
 }
 
-LoadedMedium load_medium(const SceneDesc& desc, const std::shared_ptr<const MediumDesc>& medium,
+LoadedMedium load_medium(const SceneDesc& desc, const std::shared_ptr<const MediumDesc>& medium, LoadedGrids& grids,
                          std::vector<std::string>& notes) {
   const MediumDesc& m = *medium;
   refuse_tracked_light_grid(desc, method_resolve(desc, m));
-  LoadedMedium loaded{medium, method_resolve(desc, m), false, false, 0, std::nullopt, dmat4(1.0)};
+  LoadedMedium loaded{medium, method_resolve(desc, m), false, false, false, 0, nullptr, dmat4(1.0)};
   const std::array<dvec3, 2> unit{dvec3(-1), dvec3(1)};
   const dmat4 transform = transform_matrix(m.transform);
   if (loaded.method == METHOD_HOMOGENEOUS) {
@@ -92,7 +107,7 @@ LoadedMedium load_medium(const SceneDesc& desc, const std::shared_ptr<const Medi
     loaded.world_from_lattice = transform * lattice_onto_bounds(m.bounds.value_or(unit), dvec3(1));
     return loaded;
   }
-  loaded.grid = density_make(density_spec(m.density));
+  loaded.grid = grids.get(density_spec(m.density));
   for (const std::string& note : loaded.grid->notes)
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
   const dvec3 size(loaded.grid->size());
@@ -119,53 +134,105 @@ double longest_side(const LoadedMedium& m) {
 
 // The rate at which trackers collide, per density: the largest extinction. A medium that only glows has none: eight collisions on
 // the longest way (flat units) through its densest part then, else its light would never be sampled.
-double track_sigma_of(const Medium& m, double longest, float density_max) {
+double track_sigma_of(const MediumBody& m, double longest, float density_max) {
   const double largest = std::max({m.sigma_a.x + m.sigma_s.x, m.sigma_a.y + m.sigma_s.y, m.sigma_a.z + m.sigma_s.z});
   return largest > 0 || !(density_max > 0) ? largest : 8 / (longest * density_max);
 }
 
-Medium medium_flatten(const SceneDesc& desc, const LoadedMedium& loaded, FlatScene& scene) {
-  const MediumDesc& d = *loaded.desc;
-  Medium medium{};
-  medium.interpolation = d.interpolation;
-  medium.phase = d.phase;
-  medium.g = static_cast<float>(d.g);
-  medium.method = loaded.method;
+// A density in the flat scene, before it stands anywhere: a grid, or one value.
+struct FlatDensity {
+  Medium medium;      // its geometry in cell space
+  int grid = -1;      // of FlatScene::grids
+  double unit = 1;    // of the densities stored
+  float largest = 0;  // in that unit
+};
+
+// Grids already in bricks, by grid and interpolation: the padding depends on that.
+using FlatGrids = std::map<std::pair<const Grid*, int>, FlatDensity>;
+
+FlatDensity density_flatten(const LoadedMedium& loaded, FlatScene& scene) {
+  FlatDensity density{};
+  Medium& medium = density.medium;
+  medium.interpolation = loaded.desc->interpolation;
   medium.region = loaded.sphere ? REGION_SPHERE : REGION_BOX;
   medium.is_constant = loaded.is_constant;
   medium.constant_density = static_cast<float>(loaded.constant);
-  const double longest = longest_side(loaded) / scene.unit;
-  medium.step = static_cast<float>(desc.render.step * longest);
-
-  dmat4 cell_from_world = glm::inverse(flat_from(scene, loaded.world_from_lattice));
-  const std::size_t first_voxel = scene.voxels.size();
   medium.hi = {1, 1, 1};
-  if (!loaded.is_constant) bricks_append(*loaded.grid, medium, scene);
-  coefficients_flatten(d, scene.unit * densities_scale(medium, first_voxel, scene), medium);
+  const std::size_t first_voxel = scene.voxels.size();
+  density.grid = -1;
   if (!loaded.is_constant) {
-    medium.track_sigma = static_cast<float>(track_sigma_of(medium, longest, density_max(medium, scene)));
-    if (d.interpolation == INTERPOLATION_TRILINEAR)
-      cell_from_world[3] += glm::dvec4(0.5, 0.5, 0.5, 0.0);  // see bricks_append
+    bricks_append(*loaded.grid, medium, scene);
+    density.grid = static_cast<int>(scene.grids.size());
+    scene.grids.push_back({medium.brick_offset, medium.cells_x, medium.cells_y, medium.cells_z, medium.brick_nx,
+                           medium.brick_ny, medium.brick_nz});
   }
-  medium.cell_from_world = affine(cell_from_world);
-  medium.world_from_cell = affine(glm::inverse(cell_from_world));
-  light_grids_append(desc, medium, scene);
-  return medium;
+  density.unit = densities_scale(medium, first_voxel, scene);
+  density.largest = density_max(medium, scene);
+  return density;
+}
+
+// Where a density stands; media that stand on one spot share the row.
+int density_place(const FlatDensity& density, const LoadedMedium& loaded, FlatScene& scene) {
+  dmat4 cell_from_world = glm::inverse(flat_from(scene, loaded.world_from_lattice));
+  if (!loaded.is_constant && loaded.desc->interpolation == INTERPOLATION_TRILINEAR)
+    cell_from_world[3] += glm::dvec4(0.5, 0.5, 0.5, 0.0);  // see bricks_append
+  const Medium& m = density.medium;
+  const PlacedGrid placed{affine(cell_from_world),
+                          affine(glm::inverse(cell_from_world)),
+                          m.lo,
+                          density.grid,
+                          m.hi,
+                          m.interpolation,
+                          m.region,
+                          m.constant_density};
+  const auto same = [&](const PlacedGrid& other) { return std::memcmp(&other, &placed, sizeof placed) == 0; };
+  const auto known = std::find_if(scene.placed.begin(), scene.placed.end(), same);
+  if (known != scene.placed.end()) return static_cast<int>(known - scene.placed.begin());
+  scene.placed.push_back(placed);
+  return static_cast<int>(scene.placed.size()) - 1;
+}
+
+// `per`: flat units of length, units of density.
+MediumBody body_flatten(const LoadedMedium& loaded, int placed, double per) {
+  const MediumDesc& d = *loaded.desc;
+  MediumBody body{};
+  coefficients_flatten(d, per, body);
+  body.phase = d.phase;
+  body.g = static_cast<float>(d.g);
+  body.density = loaded.only_glows ? -1 : placed;
+  body.glow = loaded.only_glows || d.emission != dvec3(0) ? placed : -1;
+  return body;
+}
+
+void medium_flatten(const SceneDesc& desc, const LoadedMedium& loaded, FlatGrids& grids, FlatScene& scene) {
+  const auto key = std::make_pair(loaded.grid.get(), loaded.desc->interpolation);
+  const auto known = loaded.is_constant ? grids.end() : grids.find(key);
+  const FlatDensity density = known != grids.end() ? known->second : density_flatten(loaded, scene);
+  if (!loaded.is_constant) grids[key] = density;
+  scene.media.push_back(body_flatten(loaded, density_place(density, loaded, scene), scene.unit * density.unit));
+  const double longest = longest_side(loaded) / scene.unit;
+  MediumWalk walk{loaded.method, static_cast<float>(desc.render.step * longest), 0, -1};
+  if (!loaded.is_constant)
+    walk.track_sigma = static_cast<float>(track_sigma_of(scene.media.back(), longest, density.largest));
+  scene.walks.push_back(walk);
+  scene.walks.back().light_grids = light_grids_append(desc, scene.medium(scene.media.size() - 1), scene);
 }
 
 }  // namespace
 
 std::vector<LoadedMedium> load_media(const SceneDesc& desc, std::vector<std::string>& notes) {
   std::vector<LoadedMedium> media;
+  LoadedGrids grids;
   for (const MediumDesc& m : desc.media) {
     auto body = std::make_shared<MediumDesc>(m);
     if (m.emission_density) {  // a medium of its own that only glows
       auto glow = std::make_shared<MediumDesc>(m);
       glow->density = *m.emission_density;
       glow->sigma_a = glow->sigma_s = body->emission = dvec3(0);
-      media.push_back(load_medium(desc, glow, notes));
+      media.push_back(load_medium(desc, glow, grids, notes));
+      media.back().only_glows = true;
     }
-    media.push_back(load_medium(desc, body, notes));
+    media.push_back(load_medium(desc, body, grids, notes));
   }
   return media;
 }
@@ -179,14 +246,15 @@ void medium_bounds_add(const LoadedMedium& m, Bounds& bounds) {
 }
 
 void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media, FlatScene& scene) {
-  for (const LoadedMedium& m : media) scene.media.push_back(medium_flatten(desc, m, scene));
+  FlatGrids grids;
+  for (const LoadedMedium& m : media) medium_flatten(desc, m, grids, scene);
   voxels_pack(scene, desc.render.storage);
-  const auto grey = [](const Medium& m) {
+  const auto grey = [](const MediumBody& m) {
     const float x = m.sigma_a.x + m.sigma_s.x, y = m.sigma_a.y + m.sigma_s.y, z = m.sigma_a.z + m.sigma_s.z;
     return x == y && y == z;
   };
   scene.color_tau = !std::all_of(scene.media.begin(), scene.media.end(), grey);
-  for (const Medium& m : scene.media) scene.draws |= 1u << method_draws(m.method);
+  for (const MediumWalk& walk : scene.walks) scene.draws |= 1u << method_draws(walk.method);
   scene.frame.takes_ends = !((scene.draws >> DRAWS_COLLISIONS) & 1u);
   scene.frame.medium_count = static_cast<int>(scene.media.size());
   scene.method = media.empty() ? METHOD_HOMOGENEOUS : media.front().method;

@@ -101,7 +101,7 @@ static inline Stretch stretch_of(const Medium* medium, const MediumRay* ray, flo
 // optical depth. Each turn takes W segments of the walk, or W parts of those that are dense.
 static inline tau_t medium_scatter(const Scene* scene, int m, float3 origin, float3 dir, float t_max, Random random,
                                    float3* radiance, MediumResult* result) {
-  const Medium medium = scene->media[m];
+  const Medium medium = medium_load(scene, m);
   const tau_t sigma_t = medium_sigma_t(&medium);
   const MediumRay ray = medium_ray(&medium, origin, dir, t_max);
   tau_t tau = (tau_t)(0.0f);

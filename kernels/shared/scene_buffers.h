@@ -20,7 +20,10 @@
   ROW(__global, int, bvh_links, FLAT, bvh_links, "BVH links") NEXT                                                   \
   ROW(__global, float, bvh_blocks, FLAT, bvh_blocks, "BVH triangles") NEXT                                           \
   ROW(__global, int, bvh_ids, FLAT, bvh_ids, "BVH triangle numbers") NEXT                                            \
-  ROW(__global, Medium, media, FLAT, media, "media") NEXT                                                            \
+  ROW(__global, BrickGrid, grids, FLAT, grids, "grids") NEXT                                                         \
+  ROW(__global, PlacedGrid, placed, FLAT, placed, "placed grids") NEXT                                               \
+  ROW(__global, MediumBody, media, FLAT, media, "media") NEXT                                                        \
+  ROW(__global, MediumWalk, walks, FLAT, walks, "walks through media") NEXT                                          \
   ROW(__global, int, bricks, FLAT, bricks, "brick index") NEXT                                                       \
   ROW(__global, float, ranges, STORED, brick_ranges, "brick ranges") NEXT                                            \
   ROW(__global, voxel_t, voxels, STORED, voxels, "voxels") NEXT                                                      \

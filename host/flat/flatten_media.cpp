@@ -8,26 +8,10 @@
 #include "base/error.hpp"
 #include "flat/flatten_parts.hpp"
 #include "scene/families.hpp"
-#include "volume/density_source.hpp"
 
 namespace brume {
 
 namespace {
-
-DensitySpec density_spec(const DensityDesc& d) {
-  DensitySpec spec;
-  spec.type = d.type;
-  spec.resolution = d.resolution;
-  spec.value = d.value;
-  spec.scale = d.scale;
-  spec.octaves = d.octaves;
-  spec.seed = d.seed;
-  spec.file = d.file;
-  spec.grid = d.grid;
-  spec.values = {d.level_set == LEVEL_SET_FILL, d.threshold, d.remap, d.factor, d.negative == NEGATIVE_CLAMP};
-  if (d.of) spec.of = std::make_shared<DensitySpec>(density_spec(*d.of));
-  return spec;
-}
 
 bool density_is_constant(const DensityDesc& d) {
   return d.type == "constant" || (d.type == "sphere" && d.of && d.of->type == "constant");
@@ -60,19 +44,6 @@ int method_resolve(const SceneDesc& desc, const MediumDesc& m) {
   return desc.render.method;
 }
 
-// Every grid is read or made once, however many media name it.
-class LoadedGrids {
- public:
-  std::shared_ptr<const Grid> get(const DensitySpec& spec) {
-    std::shared_ptr<const Grid>& grid = grids_[density_key(spec)];
-    if (!grid) grid = std::make_shared<const Grid>(density_make(spec));
-    return grid;
-  }
-
- private:
-  std::map<std::string, std::shared_ptr<const Grid>> grids_;
-};
-
 double constant_value(const DensityDesc& d) { return d.of ? d.of->value : d.value; }
 
 dmat4 lattice_onto_bounds(const std::array<dvec3, 2>& bounds, const dvec3& size) {
@@ -93,8 +64,8 @@ void refuse_tracked_light_grid(const SceneDesc& desc, int method) {
                      "', whose error only falls over many light rays; allowed with it: trace, auto");
 }
 
-LoadedMedium load_medium(const SceneDesc& desc, const std::shared_ptr<const MediumDesc>& medium, LoadedGrids& grids,
-                         std::vector<std::string>& notes) {
+LoadedMedium load_medium(const SceneDesc& desc, const std::shared_ptr<const MediumDesc>& medium,
+                         LoadedScene& loaded_scene, std::vector<std::string>& notes) {
   const MediumDesc& m = *medium;
   refuse_tracked_light_grid(desc, method_resolve(desc, m));
   LoadedMedium loaded{medium, method_resolve(desc, m), false, false, false, 0, nullptr, dmat4(1.0)};
@@ -107,9 +78,8 @@ LoadedMedium load_medium(const SceneDesc& desc, const std::shared_ptr<const Medi
     loaded.world_from_lattice = transform * lattice_onto_bounds(m.bounds.value_or(unit), dvec3(1));
     return loaded;
   }
-  loaded.grid = grids.get(density_spec(m.density));
-  for (const std::string& note : loaded.grid->notes)
-    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+  loaded.grid = loaded_scene.grid(m.density);
+  for (const std::string& note : loaded.grid->notes) note_once(notes, note);
   const dvec3 size(loaded.grid->size());
   const bool own = m.density.type == "file" && !m.bounds;
   loaded.world_from_lattice =
@@ -220,19 +190,18 @@ void medium_flatten(const SceneDesc& desc, const LoadedMedium& loaded, FlatGrids
 
 }  // namespace
 
-std::vector<LoadedMedium> load_media(const SceneDesc& desc, std::vector<std::string>& notes) {
+std::vector<LoadedMedium> load_media(const SceneDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes) {
   std::vector<LoadedMedium> media;
-  LoadedGrids grids;
   for (const MediumDesc& m : desc.media) {
     auto body = std::make_shared<MediumDesc>(m);
     if (m.emission_density) {  // a medium of its own that only glows
       auto glow = std::make_shared<MediumDesc>(m);
       glow->density = *m.emission_density;
       glow->sigma_a = glow->sigma_s = body->emission = dvec3(0);
-      media.push_back(load_medium(desc, glow, grids, notes));
+      media.push_back(load_medium(desc, glow, loaded, notes));
       media.back().only_glows = true;
     }
-    media.push_back(load_medium(desc, body, grids, notes));
+    media.push_back(load_medium(desc, body, loaded, notes));
   }
   return media;
 }

@@ -7,6 +7,7 @@
 #include "flat/bounds.hpp"
 #include "flat/flat_scene.hpp"
 #include "flat/transform.hpp"
+#include "load/loaded_scene.hpp"
 #include "mesh/mesh.hpp"
 #include "scene/scene_desc.hpp"
 #include "volume/grid.hpp"
@@ -23,7 +24,7 @@ struct LoadedMedium {
   std::shared_ptr<const Grid> grid;  // media of the same density share it
   dmat4 world_from_lattice{1.0};     // lattice: [0, size] of the grid, or the unit cube of a constant medium
 };
-std::vector<LoadedMedium> load_media(const SceneDesc& desc, std::vector<std::string>& notes);
+std::vector<LoadedMedium> load_media(const SceneDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes);
 void medium_bounds_add(const LoadedMedium& medium, Bounds& bounds);
 
 struct LoadedMesh {
@@ -40,11 +41,11 @@ struct LoadedShapes {
 // Adds what is not told yet.
 void note_once(std::vector<std::string>& notes, const std::string& note);
 
-LoadedShapes load_shapes(const SceneDesc& desc, std::vector<std::string>& notes);
+LoadedShapes load_shapes(const SceneDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes);
 
 void flatten_camera(const SceneDesc& desc, const Bounds& bounds, FlatScene& scene);  // bounds: of everything finite
 void flatten_lights(const SceneDesc& desc, FlatScene& scene);
-void flatten_materials(const SceneDesc& desc, LoadedShapes& shapes, FlatScene& scene);
+void flatten_materials(const SceneDesc& desc, LoadedScene& loaded, LoadedShapes& shapes, FlatScene& scene);
 void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene);
 void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media, FlatScene& scene);
 

@@ -43,6 +43,7 @@ struct FlatScene {
   std::vector<PlacedGrid> placed;  // their densities, of a grid or constant
   std::vector<MediumBody> media;
   std::vector<MediumWalk> walks;     // one per medium
+  std::vector<std::string> places;   // of media in the scene file, JSON pointers
   std::vector<std::int32_t> bricks;  // entries of all media, layout: shared/medium.h
   std::vector<float> brick_ranges;
   std::vector<float> voxels;  // as stored: rounded where `storage` is not f32
@@ -54,7 +55,6 @@ struct FlatScene {
   std::vector<LightGrid> light_grids;  // of each medium that has them, one per light
   std::int64_t light_entries = 0;      // of all light grids together, per channel of τ
 
-  int method = 0;  // Method, resolved: never auto
   double exposure = 0;
   std::string name;  // of the scene file, for metadata and stats
   // A medium with everything about it.

@@ -77,7 +77,7 @@ FlatScene flatten(const SceneDesc& desc, LoadedScene& loaded, const FlattenOptio
   flatten_shapes(shapes, scene);
   flatten_media(desc, media, scene);
   crop_set(scene.frame, options.crop, desc.film.size);
-  work_check(desc, scene);
+  work_check(desc, media, scene);
   scene.frame.hides_background = options.hide_background;
   return scene;
 }

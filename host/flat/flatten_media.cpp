@@ -30,18 +30,44 @@ std::string methods_that_fit(int fits) {
   return names;
 }
 
+int method_exact(const MediumDesc& m) {
+  if (m.density.type == "constant") return method_exact_of(FITS_CONSTANT);
+  return method_exact_of(m.interpolation == INTERPOLATION_NEAREST ? FITS_NEAREST : FITS_TRILINEAR);
+}
+
+std::string method_name(int method) { return std::string(family_name(method_family(), method)); }
+
+[[noreturn]] void refuse_method(const SceneDesc& desc, const std::string& place, int method, const MediumDesc& m) {
+  throw InputError(desc.file.string() + ": " + place + "/method: '" + method_name(method) + "' does not fit the " +
+                   std::string(family_name(interpolation_family(), m.interpolation)) + " density '" + m.density.type +
+                   "' of " + m.place + "; these do: " + methods_that_fit(medium_fits(m)));
+}
+
+// A method of the medium's own has to fit it; where that of the picture does not, the medium takes its exact one.
 int method_resolve(const SceneDesc& desc, const MediumDesc& m) {
-  const int fits = medium_fits(m);
-  if (desc.render.method == METHOD_AUTO) {
-    if (m.density.type == "constant") return method_exact_of(FITS_CONSTANT);
-    return method_exact_of(m.interpolation == INTERPOLATION_NEAREST ? FITS_NEAREST : FITS_TRILINEAR);
+  const int wanted = m.method.value_or(desc.render.method);
+  if (wanted == METHOD_AUTO) return method_exact(m);
+  if (method_fits(wanted) & medium_fits(m)) return wanted;
+  if (m.method) refuse_method(desc, m.place, wanted, m);
+  return method_exact(m);
+}
+
+// The media that take another method than the picture asks for, in one line; refused where all do that have none of their own.
+void methods_tell(const SceneDesc& desc, const std::vector<LoadedMedium>& media, std::vector<std::string>& notes) {
+  if (desc.render.method == METHOD_AUTO) return;
+  std::string others;
+  const LoadedMedium* first = nullptr;
+  bool fits_one = false;
+  for (const LoadedMedium& m : media) {
+    if (m.desc->method) continue;
+    fits_one = fits_one || m.method == desc.render.method;
+    if (m.method == desc.render.method) continue;
+    if (!first) first = &m;
+    others += (others.empty() ? "" : ", ") + m.desc->place + " takes " + method_name(m.method);
   }
-  if (!(method_fits(desc.render.method) & fits))
-    throw InputError(desc.file.string() + ": /render/method: '" +
-                     std::string(family_name(method_family(), desc.render.method)) + "' does not fit the " +
-                     std::string(family_name(interpolation_family(), m.interpolation)) + " density '" + m.density.type +
-                     "' of " + m.place + "; these do: " + methods_that_fit(fits));
-  return desc.render.method;
+  if (!first) return;
+  if (!fits_one) refuse_method(desc, "/render", desc.render.method, *first->desc);
+  notes.push_back("/render/method: '" + method_name(desc.render.method) + "' does not fit all media: " + others);
 }
 
 double constant_value(const DensityDesc& d) { return d.of ? d.of->value : d.value; }
@@ -53,6 +79,16 @@ dmat4 lattice_onto_bounds(const std::array<dvec3, 2>& bounds, const dvec3& size)
     m[3][axis] = bounds[0][axis];
   }
   return m;
+}
+
+// A grid of depths to the lights is for what scatters.
+void refuse_useless_light_grid(const SceneDesc& desc) {
+  const auto scatters = [](const MediumDesc& m) { return m.sigma_s != dvec3(0); };
+  if (desc.render.shadow != SHADOW_GRID || desc.media.empty() ||
+      std::any_of(desc.media.begin(), desc.media.end(), scatters))
+    return;
+  throw InputError(desc.file.string() + ": /render/shadow: 'grid' does not fit " + desc.media.front().place +
+                   ", nor any other medium: sigma_s is 0, no light is scattered; allowed: trace, auto");
 }
 
 // Collisions differ from run to run of a light ray: frozen into a grid their noise would be an error that no number of samples
@@ -67,8 +103,9 @@ void refuse_tracked_light_grid(const SceneDesc& desc, int method) {
 LoadedMedium load_medium(const SceneDesc& desc, const std::shared_ptr<const MediumDesc>& medium,
                          LoadedScene& loaded_scene, std::vector<std::string>& notes) {
   const MediumDesc& m = *medium;
-  refuse_tracked_light_grid(desc, method_resolve(desc, m));
-  LoadedMedium loaded{medium, method_resolve(desc, m), false, false, false, 0, nullptr, dmat4(1.0)};
+  const int method = method_resolve(desc, m);
+  refuse_tracked_light_grid(desc, method);
+  LoadedMedium loaded{medium, method, m.step.value_or(desc.render.step), false, false, false, 0, nullptr, dmat4(1.0)};
   const std::array<dvec3, 2> unit{dvec3(-1), dvec3(1)};
   const dmat4 transform = transform_matrix(m.transform);
   if (loaded.method == METHOD_HOMOGENEOUS) {
@@ -174,35 +211,39 @@ MediumBody body_flatten(const LoadedMedium& loaded, int placed, double per) {
   return body;
 }
 
-void medium_flatten(const SceneDesc& desc, const LoadedMedium& loaded, FlatGrids& grids, FlatScene& scene) {
+void medium_flatten(const LoadedMedium& loaded, FlatGrids& grids, FlatScene& scene) {
   const auto key = std::make_pair(loaded.grid.get(), loaded.desc->interpolation);
   const auto known = loaded.is_constant ? grids.end() : grids.find(key);
   const FlatDensity density = known != grids.end() ? known->second : density_flatten(loaded, scene);
   if (!loaded.is_constant) grids[key] = density;
   scene.media.push_back(body_flatten(loaded, density_place(density, loaded, scene), scene.unit * density.unit));
   const double longest = longest_side(loaded) / scene.unit;
-  MediumWalk walk{loaded.method, static_cast<float>(desc.render.step * longest), 0, -1};
+  MediumWalk walk{loaded.method, static_cast<float>(loaded.step * longest), 0, -1};
   if (!loaded.is_constant)
     walk.track_sigma = static_cast<float>(track_sigma_of(scene.media.back(), longest, density.largest));
   scene.walks.push_back(walk);
-  scene.walks.back().light_grids = light_grids_append(desc, scene.medium(scene.media.size() - 1), scene);
 }
 
 }  // namespace
 
 std::vector<LoadedMedium> load_media(const SceneDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes) {
+  refuse_useless_light_grid(desc);
   std::vector<LoadedMedium> media;
   for (const MediumDesc& m : desc.media) {
     auto body = std::make_shared<MediumDesc>(m);
     if (m.emission_density) {  // a medium of its own that only glows
       auto glow = std::make_shared<MediumDesc>(m);
       glow->density = *m.emission_density;
+      glow->place += "/emission_density";
+      if (m.method && *m.method != METHOD_AUTO && !(method_fits(*m.method) & medium_fits(*glow)))
+        glow->method = METHOD_AUTO;  // it is said for the density
       glow->sigma_a = glow->sigma_s = body->emission = dvec3(0);
       media.push_back(load_medium(desc, glow, loaded, notes));
       media.back().only_glows = true;
     }
     media.push_back(load_medium(desc, body, loaded, notes));
   }
+  methods_tell(desc, media, notes);
   return media;
 }
 
@@ -216,7 +257,11 @@ void medium_bounds_add(const LoadedMedium& m, Bounds& bounds) {
 
 void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media, FlatScene& scene) {
   FlatGrids grids;
-  for (const LoadedMedium& m : media) medium_flatten(desc, m, grids, scene);
+  for (const LoadedMedium& m : media) {
+    medium_flatten(m, grids, scene);
+    scene.walks.back().light_grids = light_grids_append(desc, scene.medium(scene.media.size() - 1), scene);
+    scene.places.push_back(m.desc->place);
+  }
   voxels_pack(scene, desc.render.storage);
   const auto grey = [](const MediumBody& m) {
     const float x = m.sigma_a.x + m.sigma_s.x, y = m.sigma_a.y + m.sigma_s.y, z = m.sigma_a.z + m.sigma_s.z;
@@ -226,7 +271,6 @@ void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media
   for (const MediumWalk& walk : scene.walks) scene.draws |= 1u << method_draws(walk.method);
   scene.frame.takes_ends = !((scene.draws >> DRAWS_COLLISIONS) & 1u);
   scene.frame.medium_count = static_cast<int>(scene.media.size());
-  scene.method = media.empty() ? METHOD_HOMOGENEOUS : media.front().method;
 }
 
 }  // namespace brume

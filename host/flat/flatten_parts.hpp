@@ -18,6 +18,7 @@ namespace brume {
 struct LoadedMedium {
   std::shared_ptr<const MediumDesc> desc;
   int method;                // resolved, never auto
+  double step;               // share of its longest side
   bool is_constant, sphere;  // closed form; cut to a sphere
   bool only_glows;           // it is the glow of another medium
   double constant = 0;
@@ -50,7 +51,7 @@ void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene);
 void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media, FlatScene& scene);
 
 // Throws InputError where the steps of marched media ask for more lookups than can be meant.
-void work_check(const SceneDesc& desc, const FlatScene& scene);
+void work_check(const SceneDesc& desc, const std::vector<LoadedMedium>& media, const FlatScene& scene);
 
 // Largest density of the medium, whose bricks are the last of the scene.
 float density_max(const Medium& medium, const FlatScene& scene);

@@ -1,12 +1,12 @@
 // See measure.hpp.
 #include "measure.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "base/interrupt.hpp"
 #include "flat/flatten.hpp"
 #include "shared/method.h"
-#include "volume/volume_file.hpp"
 
 namespace brume::bench {
 
@@ -42,10 +42,10 @@ const std::vector<Setting>& settings() {
 
 namespace {
 
+// Of the medium: trilinear, it fades over one voxel more.
 double longest_side(const Workload& work) {
-  const VolumeGridInfo info = volume_list(work.file).front();
-  const glm::i64vec3 size = glm::i64vec3(info.index_max) - glm::i64vec3(info.index_min);
-  return work.voxel_size * static_cast<double>(std::max({size.x, size.y, size.z}) + 2);
+  const ivec3 size = work.grid().size();
+  return work.voxel_size() * (std::max({size.x, size.y, size.z}) + 1);
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ SceneDesc scene_of(const Workload& work, const Setting& setting) {
   SceneDesc desc = work.desc;
   if (setting.method == METHOD_DDA_NEAREST) desc.media[0].interpolation = INTERPOLATION_NEAREST;
   desc.render.method = setting.method;
-  if (setting.step_voxels > 0) desc.render.step = setting.step_voxels * work.voxel_size / longest_side(work);
+  if (setting.step_voxels > 0) desc.render.step = setting.step_voxels * work.voxel_size() / longest_side(work);
   desc.render.shadow = setting.shadow;
   desc.render.light_grid = setting.light_grid;
   desc.render.storage = setting.storage;
@@ -62,7 +62,7 @@ SceneDesc scene_of(const Workload& work, const Setting& setting) {
 }
 
 FlatScene flat_scene(const Workload& work, const Setting& setting, int lanes) {
-  return flatten(scene_of(work, setting), {bvh_width_for(lanes), {}});
+  return flatten(scene_of(work, setting), *work.loaded, {bvh_width_for(lanes), {}});
 }
 
 Image picture(const Film& film) {

@@ -32,9 +32,9 @@ std::string vdb_render_command(const Workload& work, const std::filesystem::path
   std::ostringstream command;
   command << "vdb_render " << quoted(work.file) << " " << quoted(picture) << " -v -cpus 0 -res " << d.film.size.x << "x"
           << d.film.size.y << " -fov " << d.camera.vfov << " -translate " << triple(d.camera.eye) << " -lookat "
-          << triple(d.camera.target) << " -absorb " << triple(m.sigma_a * work.voxel_size) << " -scatter "
-          << triple(m.sigma_s * work.voxel_size) << " -gain 1 -light " << triple(-glm::normalize(d.lights[0].direction))
-          << "," << triple(radiance);
+          << triple(d.camera.target) << " -absorb " << triple(m.sigma_a * work.voxel_size()) << " -scatter "
+          << triple(m.sigma_s * work.voxel_size()) << " -gain 1 -light "
+          << triple(-glm::normalize(d.lights[0].direction)) << "," << triple(radiance);
   if (converged) command << " -step 0.5 -shadowstep 1 -cutoff 1e-5";
   return command.str();
 }

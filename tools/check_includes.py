@@ -15,13 +15,14 @@ HOST = {
     "accel": "base shared",
     "image": "base",
     "codec": "base image",
-    "flat": "base shared scene volume mesh accel image",
+    "load": "base shared scene volume mesh image",
+    "flat": "base shared scene volume mesh accel image load",
     "cl": "base",
     "film": "base shared image",
     "reference": "base shared flat film",
     "render": "base shared flat film cl",
     "check": "base shared scene flat film reference render cl",
-    "cli": "base shared scene volume mesh accel image flat cl film reference render check",
+    "cli": "base shared scene volume mesh accel image load flat cl film reference render check",
     "": "base cli",  # host/main.cpp
 }
 KERNELS = {

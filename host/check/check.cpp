@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
@@ -52,12 +51,8 @@ namespace {
 
 // One program per set of options serves all probes: they only differ in the kernel they name.
 cl::Program probe_program(const Context& context, const FlatScene& scene, int lanes) {
-  static std::map<std::pair<cl_context, std::string>, cl::Program> programs;
-  const std::string options = kernel_options(scene, context.device(), lanes, true);
-  const auto key = std::make_pair(context.cl()(), options);
-  const auto known = programs.find(key);
-  if (known != programs.end()) return known->second;
-  return programs[key] = program_build(context, kernel_source("probes/probes.cl"), options);
+  static const std::string source = kernel_source("probes/probes.cl");
+  return program_build(context, source, kernel_options(scene, context.device(), lanes, true));
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ Cell cell_key(const glm::ivec3& c) { return {c.x, c.y, c.z}; }
 // Length of the ray in each cell, kernel against reference: every cell that either visits counts. Relative to the whole chord.
 CheckRow check_cells(const Probe& probe, const std::string& name, const MediumRays& rays, int method) {
   const std::vector<float> found = probe.run("probe_segments", rays.packed, 8, 2 * PROBE_SEGMENTS);
-  const Medium& medium = probe.scene().media[0];
+  const Medium medium = probe.scene().medium(0);
   ErrorSum sum("cells/" + name, probe.lanes(), "cells");
   for (std::size_t i = 0; i < rays.rays.size(); ++i) {
     std::map<Cell, double> lengths;
@@ -79,7 +79,7 @@ std::vector<CheckRow> check_media(Context& context, int lanes, int items) {
   const MediumRays rays = rays_make(items);
   for (const char* scene_name : {"fog_nearest", "fog_gauss2", "fog_midpoint", "fog_march", "fog_homogeneous"}) {
     const FlatScene scene = check_scene(scene_name, 8, std::max(lanes, 4));
-    const Medium& medium = scene.media[0];
+    const Medium medium = scene.medium(0);
     const std::string name = std::string(family_name(method_family(), medium.method)) + "/" +
                              std::string(family_name(interpolation_family(), medium.interpolation));
     const Probe probe(context, scene, lanes);

@@ -94,7 +94,7 @@ std::vector<StabilityRun::Sent> StabilityRun::shoot(const FlatScene& scene, cons
 
 void StabilityRun::compare(const FlatScene& scene, const StabilityRays& rays, double limit, bool all_exact) {
   const std::vector<Sent> sent = shoot(scene, rays);
-  const Medium& medium = scene.media[0];
+  const Medium medium = scene.medium(0);
   double worst = 0, mean = 0;
   for (std::size_t i = 0; i < sent.size(); ++i) {
     const double depth =

@@ -59,18 +59,19 @@ void depth_range(StabilityRun& run, const char* rule, bool bounded) {
   scene.lights.clear();
   scene.frame.light_count = scene.frame.light_picks = 0;
   scene.frame.background = {0, 0, 0};
-  Medium& medium = scene.media[0];
+  MediumBody& medium = scene.media[0];
   medium.sigma_s = {0, 0, 0};
   const StabilityRays rays = some_rays(60);
   double over = 0, under = INFINITY, worst = 0;
   for (double digits = -6; digits <= 6; ++digits) {
     const auto sigma = static_cast<float>(std::pow(10.0, digits));
     medium.sigma_a = medium.emission = {sigma, sigma, sigma};
-    medium.track_sigma = sigma;
+    scene.walks[0].track_sigma = sigma;
     double mean = 0, exact = 0;
     const auto sent = run.shoot(scene, rays);
     for (std::size_t i = 0; i < sent.size(); ++i) {
-      const double depth = reference::optical_depth(scene, 0, rays.rays[i], INFINITY, reference::method_exact(medium));
+      const double depth =
+          reference::optical_depth(scene, 0, rays.rays[i], INFINITY, reference::method_exact(scene.medium(0)));
       const double expected = -std::expm1(-sigma * depth);
       mean += sent[i].radiance.x;
       exact += expected;
@@ -117,18 +118,15 @@ void hot_voxel(StabilityRun& run) {
 // 2048 x 1024 x 1024 cells, of which one brick is stored: offsets beyond 2^31.
 void huge_grid(StabilityRun& run) {
   FlatScene scene = run.cube();
-  Medium& m = scene.media[0];
-  m.brick_nx = 256;
-  m.brick_ny = m.brick_nz = 128;
-  m.cells_x = 2048;
-  m.cells_y = m.cells_z = 1024;
+  scene.grids[0] = {0, 2048, 1024, 1024, 256, 128, 128};
+  PlacedGrid& m = scene.placed[0];
   m.lo = {0, 0, 0};
   m.hi = {2048, 1024, 1024};
   const Affine cells{{1024, 0, 0, 1024, 0, 512, 0, 512, 0, 0, 512, 512}};
   const Affine world{{1.0f / 1024, 0, 0, -1, 0, 1.0f / 512, 0, -1, 0, 0, 1.0f / 512, -1}};
   m.cell_from_world = cells;
   m.world_from_cell = world;
-  m.step = 1e-3f;
+  scene.walks[0].step = 1e-3f;
   const std::size_t bricks = std::size_t(256) * 128 * 128;
   scene.bricks.assign(bricks, BRICK_EMPTY);
   scene.brick_ranges.assign(2 * bricks, 0.0f);

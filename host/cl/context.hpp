@@ -1,6 +1,7 @@
 // One device in use: context, queue, buffers with their sizes checked and counted, errors with names.
 #pragma once
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -28,11 +29,16 @@ class Context {
     return buffer(what, values.size() * sizeof(T), values.data());
   }
 
+  // Programs that were built in it, by text and options: program_build() looks here first.
+  using Programs = std::map<std::pair<std::string, std::string>, cl::Program>;
+  Programs& programs() const { return programs_; }
+
  private:
   DeviceInfo device_;
   cl::Context context_;
   cl::CommandQueue queue_;
   std::size_t allocated_ = 0;
+  mutable Programs programs_;
 };
 
 }  // namespace brume

@@ -80,6 +80,8 @@ cl::Kernel kernel_create(const cl::Program& program, const char* name) {
 }
 
 cl::Program program_build(const Context& context, const std::string& source, const std::string& options) {
+  const auto known = context.programs().find({source, options});
+  if (known != context.programs().end()) return known->second;
   const DriverGuard guard;
   cl::Program program(context.cl(), source);
   try {
@@ -91,7 +93,7 @@ cl::Program program_build(const Context& context, const std::string& source, con
                        ": " + cl_error_name(error.err()) + "\n" + log + "\noptions: " + options + "\n" +
                        source_keep(source));
   }
-  return program;
+  return context.programs()[{source, options}] = program;
 }
 
 }  // namespace brume

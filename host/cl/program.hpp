@@ -17,7 +17,8 @@ std::string kernel_source_text(std::string_view text, std::string_view name);
 // A kernel of a program that has it: where the driver cannot find it, its cache is damaged (driver_failed).
 cl::Kernel kernel_create(const cl::Program& program, const char* name);
 
-// Builds the program. On failure throws RuntimeError with the build log and keeps the source in the temporary folder.
+// Builds the program, once in a context. On failure throws RuntimeError with the build log and keeps the source in the temporary
+// folder.
 cl::Program program_build(const Context& context, const std::string& source, const std::string& options);
 
 }  // namespace brume

@@ -92,7 +92,7 @@ Json info_scene(const Path& file) {
   const SceneDesc desc = scene_read(file, {});
   const FlatScene flat = flatten(desc, {});
   Json media = Json::array();
-  for (const Medium& m : flat.media) media.push_back(medium_info(flat, m));
+  for (std::size_t i = 0; i < flat.media.size(); ++i) media.push_back(medium_info(flat, flat.medium(i)));
   return {{"file", file.string()},
           {"kind", "scene"},
           {"size", {desc.film.size.x, desc.film.size.y}},

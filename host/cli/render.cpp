@@ -40,10 +40,10 @@ ivec2 film_size(const RenderArguments& arguments) {
   return scene_read_text("{}", arguments.scene, film).film.size;
 }
 
-SceneDesc describe(const RenderArguments& arguments) {
+SceneDesc describe(const RenderArguments& arguments, LoadedScene& loaded) {
   if (file_kind(arguments.scene) == FileKind::SCENE) return scene_read(arguments.scene, arguments.all_overrides());
   std::string report;
-  const SceneDesc bare = bare_scene(arguments.scene, report, film_size(arguments));
+  const SceneDesc bare = bare_scene(arguments.scene, loaded, report, film_size(arguments));
   say(arguments, report);
   const std::filesystem::path folder = arguments.scene.parent_path();
   SceneDesc desc = scene_read_text(scene_write(bare, folder), folder / (arguments.scene.filename().string() + ".json"),
@@ -118,15 +118,17 @@ int render_run(RenderArguments arguments) {
   if (arguments.quiet) notes_mute();
   check_outputs(arguments);
   const std::string input = arguments.scene.string();
-  const SceneDesc desc = with_memory(input, [&] { return describe(arguments); });
+  LoadedScene loaded;
+  const SceneDesc desc = with_memory(input, [&] { return describe(arguments, loaded); });
   if (!arguments.save_scene.empty())
     atomic_write(arguments.save_scene, scene_write(desc, arguments.save_scene.parent_path()));
 
   const DeviceInfo device = device_choose(arguments.device);
   const int lanes = lanes_choose(device, arguments.lanes);
   const FlatScene flat = with_memory(input, [&] {
-    return flatten(desc, {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha});
+    return flatten(desc, loaded, {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha});
   });
+  loaded = {};  // one picture needs the files no longer
   std::vector<std::string> notes = flat.notes;
   for (const std::string& note : notes) say(arguments, "note: " + note);
   RunTimes times;

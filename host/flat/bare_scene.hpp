@@ -3,6 +3,7 @@
 #pragma once
 #include <filesystem>
 
+#include "load/loaded_scene.hpp"
 #include "scene/scene_desc.hpp"
 
 namespace brume {
@@ -11,6 +12,7 @@ namespace brume {
 bool bare_scene_takes(const std::filesystem::path& file);
 
 // `report` receives one line saying what was chosen (σt, the densest view, ...). The camera frames it in a film of that shape.
-SceneDesc bare_scene(const std::filesystem::path& file, std::string& report, ivec2 film = {1, 1});
+// What it reads is in `loaded`, under the names of the description.
+SceneDesc bare_scene(const std::filesystem::path& file, LoadedScene& loaded, std::string& report, ivec2 film = {1, 1});
 
 }  // namespace brume

@@ -42,7 +42,7 @@ double densities_scale(Medium& medium, std::size_t first_voxel, FlatScene& scene
   return unit;
 }
 
-void coefficients_flatten(const MediumDesc& desc, double per, Medium& medium) {
+void coefficients_flatten(const MediumDesc& desc, double per, MediumBody& medium) {
   dvec3 absorbed = desc.sigma_a * per, scattered = desc.sigma_s * per, emitted = desc.emission * per;
   for (int c = 0; c < 3; ++c) {
     const double kept =

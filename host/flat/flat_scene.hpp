@@ -41,7 +41,11 @@ struct FlatScene {
   std::vector<float> bvh_blocks;
   std::vector<std::int32_t> bvh_ids;
 
-  std::vector<Medium> media;
+  std::vector<BrickGrid> grids;
+  std::vector<PlacedGrid> placed;  // their densities, of a grid or constant
+  std::vector<MediumBody> media;
+  std::vector<MediumWalk> walks;     // one per medium
+  std::vector<std::string> places;   // of media in the scene file, JSON pointers
   std::vector<std::int32_t> bricks;  // entries of all media, layout: shared/medium.h
   std::vector<float> brick_ranges;
   std::vector<float> voxels;  // as stored: rounded where `storage` is not f32
@@ -53,9 +57,15 @@ struct FlatScene {
   std::vector<LightGrid> light_grids;  // of each medium that has them, one per light
   std::int64_t light_entries = 0;      // of all light grids together, per channel of τ
 
-  int method = 0;  // Method, resolved: never auto
   double exposure = 0;
-  std::string name;                // of the scene file, for metadata and stats
+  std::string name;  // of the scene file, for metadata and stats
+  // A medium with everything about it.
+  Medium medium(std::size_t i) const {
+    const PlacedGrid& stands = placed[static_cast<std::size_t>(medium_placed(media[i]))];
+    return medium_join(stands.grid < 0 ? BrickGrid{} : grids[static_cast<std::size_t>(stands.grid)], stands, media[i],
+                       walks[i]);
+  }
+
   std::vector<std::string> notes;  // what a user should be told once (dropped triangles, cleaned texels, ...)
 };
 

@@ -51,13 +51,18 @@ void crop_set(Frame& frame, const std::array<int, 4>& crop, glm::ivec2 size) {
 }  // namespace
 
 FlatScene flatten(const SceneDesc& desc, const FlattenOptions& options) {
+  LoadedScene loaded;
+  return flatten(desc, loaded, options);
+}
+
+FlatScene flatten(const SceneDesc& desc, LoadedScene& loaded, const FlattenOptions& options) {
   FlatScene scene;
   scene.name = desc.file.filename().string();
   scene.exposure = desc.film.exposure;
   scene.bvh_width = options.bvh_width;
 
-  std::vector<LoadedMedium> media = load_media(desc, scene.notes);
-  LoadedShapes shapes = load_shapes(desc, scene.notes);
+  std::vector<LoadedMedium> media = load_media(desc, loaded, scene.notes);
+  LoadedShapes shapes = load_shapes(desc, loaded, scene.notes);
   Bounds bounds = shapes.bounds;
   for (const LoadedMedium& medium : media) medium_bounds_add(medium, bounds);
   const Bounds size = bounds.empty() ? view_bounds(desc.camera) : bounds;
@@ -68,11 +73,11 @@ FlatScene flatten(const SceneDesc& desc, const FlattenOptions& options) {
 
   flatten_camera(desc, bounds, scene);
   flatten_lights(desc, scene);
-  flatten_materials(desc, shapes, scene);
+  flatten_materials(desc, loaded, shapes, scene);
   flatten_shapes(shapes, scene);
   flatten_media(desc, media, scene);
   crop_set(scene.frame, options.crop, desc.film.size);
-  work_check(desc, scene);
+  work_check(desc, media, scene);
   scene.frame.hides_background = options.hide_background;
   return scene;
 }

@@ -1,7 +1,8 @@
-// SceneDesc → FlatScene: loads volumes, meshes and images, resolves the method, lays everything out for the kernels.
+// SceneDesc and what is loaded for it → FlatScene: resolves the method, lays everything out for the kernels.
 #pragma once
 #include "flat/bounds.hpp"
 #include "flat/flat_scene.hpp"
+#include "load/loaded_scene.hpp"
 #include "scene/scene_desc.hpp"
 #include "volume/grid.hpp"
 
@@ -13,7 +14,10 @@ struct FlattenOptions {
   bool hide_background = false;         // from the camera; mirrors and glass go on seeing it
 };
 
-// Throws InputError naming the place in the scene (or the file behind it) for whatever cannot be rendered.
+// Throws InputError naming the place in the scene (or the file behind it) for whatever cannot be rendered. What `desc` names and
+// `loaded` does not hold is loaded into it.
+FlatScene flatten(const SceneDesc& desc, LoadedScene& loaded, const FlattenOptions& options);
+// The same for one picture, whose files nobody needs again.
 FlatScene flatten(const SceneDesc& desc, const FlattenOptions& options);
 
 }  // namespace brume

@@ -105,11 +105,11 @@ LightGrid grid_along(const Lattice& lattice, const dvec3& travel) {
 
 }  // namespace
 
-void light_grids_append(const SceneDesc& desc, Medium& medium, FlatScene& scene) {
-  if (!wants_light_grids(desc, medium, scene)) return;
+int light_grids_append(const SceneDesc& desc, const Medium& medium, FlatScene& scene) {
+  if (!wants_light_grids(desc, medium, scene)) return -1;
   const Lattice lattice = lattice_of(medium, desc.render.light_grid);
   const dmat4 cell_from_world = matrix(medium.cell_from_world);
-  medium.light_grids = static_cast<int>(scene.light_grids.size()) + 1;
+  const int first = static_cast<int>(scene.light_grids.size());
   for (const Light& light : scene.lights) {
     const dvec3 travel(light.direction.x, light.direction.y, light.direction.z);
     LightGrid grid = light.type == LIGHT_DIRECTIONAL ? grid_along(lattice, transform_dir(cell_from_world, travel))
@@ -124,6 +124,7 @@ void light_grids_append(const SceneDesc& desc, Medium& medium, FlatScene& scene)
                        " are allowed");
     scene.light_grids.push_back(grid);
   }
+  return first;
 }
 
 }  // namespace brume

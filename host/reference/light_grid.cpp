@@ -88,7 +88,7 @@ LightDepths light_grids_make(const Context& context, const Medium& medium) {
 }
 
 const LightGrid& light_grid_of(const FlatScene& scene, const Medium& medium, std::size_t light) {
-  return scene.light_grids.at(static_cast<std::size_t>(medium.light_grids - 1) + light);
+  return scene.light_grids.at(static_cast<std::size_t>(medium.light_grids) + light);
 }
 
 dvec3 light_grid_tau(const LightDepths& depths, const LightGrid& grid, const Medium& medium, std::size_t light,

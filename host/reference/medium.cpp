@@ -10,7 +10,7 @@
 namespace brume::reference {
 namespace {
 
-const Medium& medium_of(const FlatScene& scene, int index) { return scene.media[static_cast<std::size_t>(index)]; }
+Medium medium_of(const FlatScene& scene, int index) { return scene.medium(static_cast<std::size_t>(index)); }
 
 Interval box_interval(const dvec3& lo, const dvec3& hi, const RayD& ray, Interval span) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -181,7 +181,7 @@ double density_at(const FlatScene& scene, const Medium& medium, const dvec3& p) 
 std::vector<SegmentD> segments(const FlatScene& scene, int medium, const RayD& ray, double t0, double t1, int method,
                                const RandomStream& random) {
   std::vector<SegmentD> found;
-  const Medium& m = medium_of(scene, medium);
+  const Medium m = medium_of(scene, medium);
   segments_visit(scene, m, ray, medium_interval(m, ray, t0, t1), method, random,
                  [&](const SegmentD& s) { found.push_back(s); });
   return found;
@@ -189,7 +189,7 @@ std::vector<SegmentD> segments(const FlatScene& scene, int medium, const RayD& r
 
 double optical_depth(const FlatScene& scene, int medium, const RayD& ray, double t_max, int method, double* lookups,
                      const RandomStream& random) {
-  const Medium& m = medium_of(scene, medium);
+  const Medium m = medium_of(scene, medium);
   const Interval span = medium_interval(m, ray, 0, t_max);
   if (span.empty()) return 0;
   if (method == METHOD_HOMOGENEOUS) return m.constant_density * (span.t1 - span.t0);

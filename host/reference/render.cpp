@@ -48,7 +48,7 @@ uint sample_key(int primitive, uint lit, uint shadow_key, int second) {
 
 // Trackers that take another number of collisions take another way.
 uint walked(const Context& context, uint shadow_key, double lookups) {
-  for (const Medium& medium : context.scene.media)
+  for (const Medium& medium : context.media)
     if (method_tracks(medium.method) && !context.exact()) return shadow_key + static_cast<uint>(lookups);
   return shadow_key;
 }

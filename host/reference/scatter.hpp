@@ -28,6 +28,7 @@ struct Context {
   Context(const FlatScene& flat, const Options& options);
 
   const FlatScene& scene;
+  std::vector<Medium> media;  // its media with everything about them
   TriangleBounds bounds;
   std::vector<QuadratureNode> nodes;      // empty for the segment rule
   std::vector<LightDepths> light_depths;  // one per medium, empty where light is traced

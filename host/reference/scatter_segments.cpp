@@ -41,7 +41,7 @@ struct Segment {
 // τ of all media from a point in a medium to a light, by its light grid if it has one.
 dvec3 light_depth(const Context& context, int index, std::size_t light, const dvec3& point, const RandomStream& random,
                   double& lookups) {
-  const Medium& medium = context.scene.media[static_cast<std::size_t>(index)];
+  const Medium& medium = context.media[static_cast<std::size_t>(index)];
   const LightDepths& depths = context.light_depths[static_cast<std::size_t>(index)];
   if (depths.tau.empty()) {
     const LightSample sample = light_at(context.scene.lights[light], point);
@@ -70,7 +70,7 @@ dvec3 light_transmittance(const Context& context, const Segment& at, std::size_t
 
 // S of a segment, and into shadow_key the lights that a surface keeps from its t.
 dvec3 source_at(const Context& context, const Segment& at, const RayD& ray, Scattered& result) {
-  const Medium& medium = context.scene.media[static_cast<std::size_t>(at.medium)];
+  const Medium& medium = context.media[static_cast<std::size_t>(at.medium)];
   dvec3 source(0);
   if (vec_promote(medium.sigma_s) == dvec3(0)) return source;
   const dvec3 point = ray.at(at.t), nothing(0);
@@ -90,7 +90,7 @@ dvec3 source_at(const Context& context, const Segment& at, const RayD& ray, Scat
 
 // What a medium sends to the origin of the ray from one place: σs S + emission.
 dvec3 sent_from(const Context& context, const Segment& at, const RayD& ray, Scattered& result) {
-  const Medium& medium = context.scene.media[static_cast<std::size_t>(at.medium)];
+  const Medium& medium = context.media[static_cast<std::size_t>(at.medium)];
   return vec_promote(medium.sigma_s) * source_at(context, at, ray, result) + vec_promote(medium.emission);
 }
 
@@ -112,7 +112,7 @@ struct Others {
 double largest(const dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 // A walk through one medium that is not tracked, as ARCHITECTURE.md cuts it into segments and dense ones into parts.
-struct MediumWalk {
+struct SegmentWalk {
   const Context& context;
   const Medium& medium;
   int index, method, rule;
@@ -188,19 +188,19 @@ struct MediumWalk {
 
 void medium_segments(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& walk,
                      Scattered& result) {
-  const Medium& medium = context.scene.media[static_cast<std::size_t>(index)];
-  MediumWalk scattering{context,
-                        medium,
-                        index,
-                        context.method(medium),
-                        context.scene.frame.in_scattering,
-                        ray,
-                        walk,
-                        context.scene.frame.takes_ends != 0,
-                        sigma_t_of(medium),
-                        dvec3(0),
-                        {context, index, ray},
-                        result};
+  const Medium& medium = context.media[static_cast<std::size_t>(index)];
+  SegmentWalk scattering{context,
+                         medium,
+                         index,
+                         context.method(medium),
+                         context.scene.frame.in_scattering,
+                         ray,
+                         walk,
+                         context.scene.frame.takes_ends != 0,
+                         sigma_t_of(medium),
+                         dvec3(0),
+                         {context, index, ray},
+                         result};
   scattering.run(t_max);
   result.tau += scattering.own_tau;
 }
@@ -208,7 +208,7 @@ void medium_segments(const Context& context, int index, const RayD& ray, double 
 // The same by collisions: each is worth ∫ρ in the mean.
 void medium_track(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& walk,
                   Scattered& result) {
-  const Medium& medium = context.scene.media[static_cast<std::size_t>(index)];
+  const Medium& medium = context.media[static_cast<std::size_t>(index)];
   const dvec3 sigma_t = sigma_t_of(medium);
   dvec3 transmittance(1);
   Others others{context, index, ray};
@@ -231,7 +231,7 @@ void medium_track(const Context& context, int index, const RayD& ray, double t_m
 
 void medium_scatter(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& walk,
                     Scattered& result) {
-  const bool tracks = method_tracks(context.scene.media[static_cast<std::size_t>(index)].method);
+  const bool tracks = method_tracks(context.media[static_cast<std::size_t>(index)].method);
   (tracks ? medium_track : medium_segments)(context, index, ray, t_max, walk, result);
 }
 

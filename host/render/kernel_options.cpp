@@ -21,15 +21,15 @@ std::string define(const char* name, unsigned value) {
 }
 
 std::string scene_options(const FlatScene& s) {
-  const auto& media = s.media;
-  return define("MEDIA", static_cast<unsigned>(std::min<std::size_t>(media.size(), 2))) +
+  return define("MEDIA", static_cast<unsigned>(std::min<std::size_t>(s.media.size(), 2))) +
          define("COLOR_TAU", s.color_tau) +
-         define("METHODS_USED", bits_used(media, [](const Medium& m) { return m.method; })) +
+         define("METHODS_USED", bits_used(s.walks, [](const MediumWalk& w) { return w.method; })) +
          define("JITTER", (s.draws >> DRAWS_PLACES) & 1u) + define("TRACKING", (s.draws >> DRAWS_COLLISIONS) & 1u) +
          define("ROULETTE", s.frame.roulette > 0) +
-         define("SPHERE_REGION", (bits_used(media, [](const Medium& m) { return m.region; }) >> REGION_SPHERE) & 1u) +
+         define("SPHERE_REGION",
+                (bits_used(s.placed, [](const PlacedGrid& p) { return p.region; }) >> REGION_SPHERE) & 1u) +
          define("LIGHT_GRID", s.light_entries > 0) +
-         define("PHASES_USED", bits_used(media, [](const Medium& m) { return m.phase; })) +
+         define("PHASES_USED", bits_used(s.media, [](const MediumBody& m) { return m.phase; })) +
          define("SHAPES_USED", bits_used(s.shapes, [](const Shape& shape) { return shape.type; })) +
          define("TRIANGLES", !s.triangles.empty()) + define("TEXTURED", !s.textures.empty()) +
          define("SPECULAR", scene_is_specular(s)) + define("LIGHTS_CHOSEN", !s.light_shares.empty()) +

@@ -66,8 +66,8 @@ bool Passes::runs(Id id) const {
 
 void Passes::plan_light_grids(const FlatScene& scene) {
   for (std::size_t m = 0; m < scene.media.size(); ++m)
-    for (std::size_t l = 0; scene.media[m].light_grids > 0 && l < scene.lights.size(); ++l) {
-      const LightGrid& grid = scene.light_grids[static_cast<std::size_t>(scene.media[m].light_grids - 1) + l];
+    for (std::size_t l = 0; scene.walks[m].light_grids >= 0 && l < scene.lights.size(); ++l) {
+      const LightGrid& grid = scene.light_grids[static_cast<std::size_t>(scene.walks[m].light_grids) + l];
       const int items = grid.columns_u * grid.columns_v * (grid.reach > 0 ? 1 : grid.nk);
       light_grids_.push_back({static_cast<cl_int>(m), static_cast<cl_int>(l), 0, static_cast<cl_uint>(items)});
     }

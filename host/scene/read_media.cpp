@@ -113,6 +113,8 @@ MediumDesc read_medium(const JsonValue& medium, const std::filesystem::path& fol
   if (medium.has("emission_density"))
     m.emission_density = std::make_shared<DensityDesc>(read_density(medium.get("emission_density"), folder));
   if (medium.has("phase")) read_phase(medium.get("phase"), m);
+  if (medium.has("method")) m.method = read_method(medium, METHOD_AUTO);
+  if (medium.has("step")) m.step = read_step(medium, 1);
   medium.refuse_unread();
   return m;
 }

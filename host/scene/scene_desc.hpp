@@ -140,7 +140,9 @@ struct MediumDesc {
   dvec3 sigma_a{0}, sigma_s{0}, emission{0};
   int phase = PHASE_ISOTROPIC;
   double g = 0;
-  std::string place;  // JSON pointer, for messages of later stages
+  std::optional<int> method;   // instead of render.method, METHOD_AUTO too
+  std::optional<double> step;  // instead of render.step
+  std::string place;           // JSON pointer, for messages of later stages
 };
 
 inline constexpr int METHOD_AUTO = -1;

@@ -141,8 +141,10 @@ Json density_json(const DensityDesc& d, const Folder& folder) {
   return json;
 }
 
+Json method_json(int method) { return method == METHOD_AUTO ? "auto" : family_name(method_family(), method); }
+
 Json render_json(const RenderDesc& r) {
-  Json json{{"method", r.method == METHOD_AUTO ? "auto" : family_name(method_family(), r.method)},
+  Json json{{"method", method_json(r.method)},
           {"step", number(r.step)},
           {"in_scattering", family_name(in_scattering_family(), r.in_scattering)},
           {"shadow", r.shadow == SHADOW_AUTO ? "auto" : family_name(shadow_family(), r.shadow)},
@@ -167,6 +169,8 @@ Json medium_json(const MediumDesc& m, const Folder& folder) {
   json["emission"] = vec(m.emission);
   json["phase"] = {{"type", family_name(phase_family(), m.phase)}};
   if (m.phase == PHASE_HENYEY_GREENSTEIN) json["phase"]["g"] = number(m.g);
+  if (m.method) json["method"] = method_json(*m.method);
+  if (m.step) json["step"] = number(*m.step);
   return json;
 }
 

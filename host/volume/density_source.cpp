@@ -1,6 +1,9 @@
 // The table of density sources. A new generator is one file in generators/ and one row here.
 #include "volume/density_source.hpp"
 
+#include <iomanip>
+#include <sstream>
+
 #include "base/error.hpp"
 #include "volume/generators/generators.hpp"
 
@@ -31,6 +34,21 @@ const Family& density_family() {
     return rows;
   }();
   return family;
+}
+
+std::string density_key(const DensitySpec& spec) {
+  std::ostringstream key;
+  key.precision(17);
+  key << spec.type << ' ' << spec.resolution.x << ' ' << spec.resolution.y << ' ' << spec.resolution.z << ' '
+      << spec.value << ' ' << spec.scale << ' ' << spec.octaves << ' ' << spec.seed;
+  if (spec.type == "file") {
+    const VolumeValues& v = spec.values;
+    key << ' ' << std::filesystem::absolute(spec.file).lexically_normal() << ' ' << std::quoted(spec.grid) << ' '
+        << v.fill << ' ' << v.threshold.has_value() << ' ' << v.threshold.value_or(0) << ' ' << v.scale << ' '
+        << v.clamp_negative;
+    for (const dvec2& point : v.remap) key << ' ' << point.x << ' ' << point.y;
+  }
+  return key.str() + (spec.of ? " of " + density_key(*spec.of) : "");
 }
 
 Grid density_make(const DensitySpec& spec) {

@@ -108,7 +108,7 @@ PROBE(probe_segments) {
   PROBE_ITEM;
   __global const float* v = in + 8 * item;
   __global float* o = out + 2 * PROBE_SEGMENTS * item;
-  const Medium medium = media[as_int(v[0])];
+  const Medium medium = medium_load(&scene, as_int(v[0]));
   const MediumRay ray = medium_ray(&medium, probe_load3(v + 1), probe_load3(v + 4), v[7]);
   for (int i = 0; i < 2 * PROBE_SEGMENTS; ++i) o[i] = 0.0f;
   if (!(ray.length > 0.0f)) return;
@@ -127,7 +127,7 @@ PROBE(probe_segments) {
 PROBE(probe_integral) {
   PROBE_ITEM;
   __global const float* v = in + 8 * item;
-  const Medium medium = media[as_int(v[0])];
+  const Medium medium = medium_load(&scene, as_int(v[0]));
   const MediumRay ray = medium_ray(&medium, probe_load3(v + 1), probe_load3(v + 4), v[7]);
   uint lookups = 0;
   out[item] = walk_total(&scene, &medium, &ray, random_begin(frame, item, 0), 0.0f, &lookups);
@@ -147,9 +147,10 @@ PROBE(probe_scatter) {
 PROBE(probe_layout) {
   PROBE_ITEM;
   (void)in;
-  const float sizes[] = {sizeof(Packed3),      sizeof(Affine),       sizeof(Camera),  sizeof(Frame),
-                         sizeof(Light),        sizeof(Material),     sizeof(Texture), sizeof(Shape),
-                         sizeof(Triangle),     sizeof(Medium),       sizeof(Ray),     sizeof(Hit),
-                         sizeof(MediumResult), sizeof(SurfaceResult), sizeof(Sample),  sizeof(FilmPixel)};
+  const float sizes[] = {sizeof(Packed3),      sizeof(Affine),    sizeof(Camera),     sizeof(Frame),
+                         sizeof(Light),        sizeof(Material),  sizeof(Texture),    sizeof(Shape),
+                         sizeof(Triangle),     sizeof(BrickGrid), sizeof(PlacedGrid), sizeof(MediumBody),
+                         sizeof(MediumWalk),   sizeof(Ray),       sizeof(Hit),        sizeof(MediumResult),
+                         sizeof(SurfaceResult), sizeof(Sample),    sizeof(FilmPixel)};
   for (int i = 0; i < (int)(sizeof(sizes) / sizeof(float)); ++i) out[i] = sizes[i];
 }

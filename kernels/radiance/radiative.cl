@@ -101,7 +101,7 @@ static inline Stretch stretch_of(const Medium* medium, const MediumRay* ray, flo
 // optical depth. Each turn takes W segments of the walk, or W parts of those that are dense.
 static inline tau_t medium_scatter(const Scene* scene, int m, float3 origin, float3 dir, float t_max, Random random,
                                    float3* radiance, MediumResult* result) {
-  const Medium medium = scene->media[m];
+  const Medium medium = medium_load(scene, m);
   const tau_t sigma_t = medium_sigma_t(&medium);
   const MediumRay ray = medium_ray(&medium, origin, dir, t_max);
   tau_t tau = (tau_t)(0.0f);
@@ -170,7 +170,7 @@ OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 di
   tau_t tau = (tau_t)(0.0f);
 #if BRUME_MEDIA
   for (int m = 0; m < MEDIA_END(scene); ++m) {
-    const Medium medium = scene->media[m];
+    const Medium medium = medium_load(scene, m);
     tau += medium_only_absorbs(&medium) ? medium_tau(scene, m, origin, dir, t_max, random, &result.lookups)
                                         : medium_scatter(scene, m, origin, dir, t_max, random, &radiance, &result);
   }

@@ -90,7 +90,7 @@ static inline void transmittance_from_grid(const Scene* scene, const Stretch* s,
 static inline Colors sources_from_grid(const Scene* scene, const Stretch* s, MediumResult* result) {
   Colors sum = {(floatW)(0.0f), (floatW)(0.0f), (floatW)(0.0f)};
   for (int l = 0; l < scene->frame->light_count; ++l) {
-    const LightGrid grid = scene->light_grids[s->medium->light_grids - 1 + l];
+    const LightGrid grid = scene->light_grids[s->medium->light_grids + l];
     floatW t[TAU_CHANNELS];
     transmittance_from_grid(scene, s, &grid, t, result);
     const Colors arriving = stretch_arriving(scene, s, l, result);
@@ -162,7 +162,7 @@ static inline Colors sources_traced(const Scene* scene, Stretch* s, MediumResult
 // S of each segment.
 static inline Colors stretch_sources(const Scene* scene, Stretch* s, MediumResult* result) {
 #if BRUME_LIGHT_GRID
-  if (s->medium->light_grids > 0) return sources_from_grid(scene, s, result);
+  if (s->medium->light_grids >= 0) return sources_from_grid(scene, s, result);
 #endif
   return sources_traced(scene, s, result);
 }

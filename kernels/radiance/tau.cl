@@ -106,7 +106,7 @@ static inline tau_t track_tau(const Scene* scene, const Medium* medium, const Me
 // Optical depth of medium m from the origin to t_max.
 static inline tau_t medium_tau(const Scene* scene, int m, float3 origin, float3 dir, float t_max, Random random,
                                uint* lookups) {
-  const Medium medium = scene->media[m];
+  const Medium medium = medium_load(scene, m);
   const tau_t sigma_t = medium_sigma_t(&medium);
   if (!(tau_max(sigma_t) > 0.0f)) return sigma_t;  // a medium that only glows
   const MediumRay ray = medium_ray(&medium, origin, dir, t_max);

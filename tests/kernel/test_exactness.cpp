@@ -67,7 +67,7 @@ Rays rays_make(const Lattice& lattice, double unit) {
 void expect_exact(const Lattice& lattice, const char* method, const char* interpolation, int lanes) {
   static Context context(device_choose("portable computing language"));
   const FlatScene scene = scene_of(lattice, method, interpolation);
-  const Medium& medium = scene.media[0];
+  const Medium medium = scene.medium(0);
   const Rays rays = rays_make(lattice, scene.unit);
   const std::vector<float> found = Probe(context, scene, lanes).run("probe_integral", rays.packed, 8, 1);
   double worst = 0;

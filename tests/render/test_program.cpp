@@ -90,6 +90,26 @@ TEST_F(Render, OptionsReachTheScene) {
             0);
 }
 
+TEST_F(Render, NamesTheMethodOfEachMedium) {
+  write("a.json", R"({"film": {"size": [8, 8]}, "render": {"method": "march_midpoint", "step": 0.25}, "media": [
+    {"density": {"type": "linear", "resolution": [8, 8, 8]}, "sigma_a": 1},
+    {"density": {"type": "constant"}, "method": "homogeneous", "step": 0.5, "sigma_a": 1},
+    {"density": {"type": "linear", "resolution": [8, 8, 8]}, "method": "dda_midpoint", "sigma_a": 1}]})");
+  const Outcome r = run("render a.json -o a.exr --stats s.json --strict");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const std::string names = "march_midpoint (/media/0), homogeneous (/media/1), dda_midpoint (/media/2)";
+  EXPECT_NE(r.err.find("method " + names), std::string::npos) << r.err;
+  EXPECT_NE(text(folder_ / "a.exr").find(names), std::string::npos);
+  const json stats = json::parse(text(folder_ / "s.json"));
+  EXPECT_EQ(stats["method"], names);
+  ASSERT_EQ(stats["media"].size(), 3u);
+  EXPECT_EQ(stats["media"][1]["method"], "homogeneous");
+  EXPECT_EQ(stats["media"][0]["step"], 0.5);  // of a medium 2 long
+  EXPECT_EQ(stats["media"][1]["step"], 1.0);
+  EXPECT_FALSE(stats["media"][2].contains("step"));
+  expect_refused("render a.json -o b.exr --method dda_nearest", 2, "of /media/0; these do: auto, dda_gauss2");
+}
+
 TEST_F(Render, BareVolumeSavesTheSceneThatItUsed) {
   const std::string plume = BRUME_SOURCE_DIR "/scenes/data/plume.vdb";
   const Outcome r = run("render " + plume + " -o a.exr --size 16x16 --save-scene s.json");

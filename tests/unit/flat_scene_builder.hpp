@@ -79,37 +79,45 @@ inline Light& light_add_point(FlatScene& scene, const glm::dvec3& position, doub
   return scene.lights.back();
 }
 
+// The rows of a medium in a flat scene, until another is added.
+struct MediumRows {
+  PlacedGrid& placed;
+  MediumBody& body;
+  MediumWalk& walk;
+};
+
 // A medium of constant density over [lo, hi] in cell space, which is world space.
-inline Medium& medium_add_constant(FlatScene& scene, const glm::dvec3& lo, const glm::dvec3& hi, double sigma_a,
-                                   double sigma_s, double density = 1) {
-  Medium medium{};
-  medium.cell_from_world = affine_scale(1);
-  medium.lo = packed(lo);
-  medium.hi = packed(hi);
-  medium.sigma_a = grey(sigma_a);
-  medium.sigma_s = grey(sigma_s);
-  medium.phase = PHASE_ISOTROPIC;
-  medium.region = REGION_BOX;
-  medium.constant_density = static_cast<float>(density);
-  medium.is_constant = 1;
-  medium.step = 0.25f;
-  medium.method = METHOD_HOMOGENEOUS;
-  scene.media.push_back(medium);
-  return scene.media.back();
+inline MediumRows medium_add_constant(FlatScene& scene, const glm::dvec3& lo, const glm::dvec3& hi, double sigma_a,
+                                      double sigma_s, double density = 1) {
+  PlacedGrid placed{};
+  placed.cell_from_world = affine_scale(1);
+  placed.lo = packed(lo);
+  placed.hi = packed(hi);
+  placed.region = REGION_BOX;
+  placed.constant_density = static_cast<float>(density);
+  placed.grid = -1;
+  MediumBody body{};
+  body.density = static_cast<int>(scene.placed.size());
+  body.glow = -1;
+  body.sigma_a = grey(sigma_a);
+  body.sigma_s = grey(sigma_s);
+  body.phase = PHASE_ISOTROPIC;
+  scene.placed.push_back(placed);
+  scene.media.push_back(body);
+  scene.walks.push_back({METHOD_HOMOGENEOUS, 0.25f, 0, -1});
+  return {scene.placed.back(), scene.media.back(), scene.walks.back()};
 }
 
 // A grid of cells over [0, cells], cell space being world space. density(sample) is asked for every sample of every
 // brick; a brick of zeros is left out, as in a flat scene.
-inline Medium& medium_add_grid(FlatScene& scene, const glm::ivec3& cells, int interpolation,
-                               const std::function<double(glm::ivec3)>& density, double sigma_a, double sigma_s) {
-  Medium& medium = medium_add_constant(scene, glm::dvec3(0), glm::dvec3(cells), sigma_a, sigma_s);
-  medium.is_constant = 0;
-  medium.interpolation = interpolation;
-  medium.method = interpolation == INTERPOLATION_NEAREST ? METHOD_DDA_NEAREST : METHOD_DDA_GAUSS2;
-  medium.cells_x = cells.x, medium.cells_y = cells.y, medium.cells_z = cells.z;
-  medium.brick_offset = static_cast<int>(scene.bricks.size());
+inline MediumRows medium_add_grid(FlatScene& scene, const glm::ivec3& cells, int interpolation,
+                                  const std::function<double(glm::ivec3)>& density, double sigma_a, double sigma_s) {
+  const MediumRows medium = medium_add_constant(scene, glm::dvec3(0), glm::dvec3(cells), sigma_a, sigma_s);
+  medium.placed.interpolation = interpolation;
+  medium.placed.grid = static_cast<int>(scene.grids.size());
+  medium.walk.method = interpolation == INTERPOLATION_NEAREST ? METHOD_DDA_NEAREST : METHOD_DDA_GAUSS2;
   const glm::ivec3 n = (cells + BRICK_CELLS - 1) / BRICK_CELLS;
-  medium.brick_nx = n.x, medium.brick_ny = n.y, medium.brick_nz = n.z;
+  scene.grids.push_back({static_cast<int>(scene.bricks.size()), cells.x, cells.y, cells.z, n.x, n.y, n.z});
   for (int b = 0; b < n.x * n.y * n.z; ++b) {
     const glm::ivec3 first = glm::ivec3(b % n.x, b / n.x % n.y, b / (n.x * n.y)) * BRICK_CELLS;
     std::vector<float> samples;

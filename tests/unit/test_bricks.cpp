@@ -44,7 +44,7 @@ TEST(Bricks, OfGenerators) {
         const DensityDesc density = generator(type, size);
         const FlatScene scene = flatten(scene_with(density, interpolation), {});
         ASSERT_EQ(scene.media.size(), 1u);
-        expect_bricks_of(grid_of(density), scene, scene.media[0]);
+        expect_bricks_of(grid_of(density), scene, scene.medium(0));
       }
 }
 
@@ -55,7 +55,7 @@ TEST(Bricks, EmptyOnesAreNotStored) {
   for (const int interpolation : {INTERPOLATION_NEAREST, INTERPOLATION_TRILINEAR}) {
     const FlatScene scene = flatten(scene_with(ball, interpolation), {});
     const Grid grid = grid_of(ball);
-    expect_bricks_of(grid, scene, scene.media.at(0));
+    expect_bricks_of(grid, scene, scene.medium(0));
     const auto empty = std::count(scene.bricks.begin(), scene.bricks.end(), BRICK_EMPTY);
     EXPECT_GE(empty, 8);
     EXPECT_EQ(scene.voxels.size(), (scene.bricks.size() - static_cast<std::size_t>(empty)) * BRICK_VALUES);
@@ -184,10 +184,47 @@ TEST(Bricks, MediaFollowEachOther) {
   desc.media[1].interpolation = INTERPOLATION_NEAREST;
   const FlatScene scene = flatten(desc, {});
   ASSERT_EQ(scene.media.size(), 2u);
-  EXPECT_EQ(scene.media[0].brick_offset, 0);
-  EXPECT_EQ(scene.media[1].brick_offset, 2 * 2 * 2);
+  EXPECT_EQ(scene.grids[0].brick_offset, 0);
+  EXPECT_EQ(scene.grids[1].brick_offset, 2 * 2 * 2);
   EXPECT_EQ(scene.bricks.size(), 8u + 3);
-  for (int i : {0, 1}) expect_bricks_of(grid_of(desc.media[i].density), scene, scene.media[i]);
+  for (int i : {0, 1}) expect_bricks_of(grid_of(desc.media[i].density), scene, scene.medium(i));
+}
+
+// The same density is stored once, wherever media show it; another interpolation pads it in another way.
+TEST(Bricks, MediaOfOneDensityShareThem) {
+  SceneDesc desc = scene_with(generator("perlin", {9, 10, 11}), INTERPOLATION_TRILINEAR);
+  desc.media.push_back(desc.media[0]);
+  desc.media[1].transform = {Translate{dvec3(3, 0, 0)}};
+  desc.media[1].sigma_s = dvec3(2);
+  const FlatScene one = flatten(scene_with(desc.media[0].density, INTERPOLATION_TRILINEAR), {});
+  const FlatScene two = flatten(desc, {});
+  EXPECT_EQ(two.grids.size(), 1u);
+  EXPECT_EQ(two.placed.size(), 2u);
+  EXPECT_EQ(two.voxels, one.voxels);
+  EXPECT_EQ(two.bricks, one.bricks);
+  EXPECT_EQ(two.media[1].sigma_s.x, 2 * static_cast<float>(two.unit));
+  EXPECT_NE(two.medium(0).world_from_cell.m[3], two.medium(1).world_from_cell.m[3]);
+  desc.media[1].interpolation = INTERPOLATION_NEAREST;
+  const FlatScene padded = flatten(desc, {});
+  EXPECT_EQ(padded.grids.size(), 2u);
+  for (int i : {0, 1}) expect_bricks_of(grid_of(desc.media[i].density), padded, padded.medium(i));
+}
+
+// A glow with a density of its own is a row that emits and nothing else.
+TEST(Bricks, AGlowOfItsOwnNamesItsGrid) {
+  SceneDesc desc = scene_with(generator("perlin", {9, 10, 11}), INTERPOLATION_TRILINEAR);
+  desc.media[0].emission = dvec3(1);
+  const FlatScene own = flatten(desc, {});
+  ASSERT_EQ(own.media.size(), 1u);
+  EXPECT_EQ(own.media[0].density, 0);
+  EXPECT_EQ(own.media[0].glow, 0);
+  desc.media[0].emission_density = std::make_shared<DensityDesc>(generator("linear", {20, 5, 8}));
+  const FlatScene two = flatten(desc, {});
+  ASSERT_EQ(two.media.size(), 2u);
+  EXPECT_EQ(two.media[0].density, -1);
+  EXPECT_EQ(two.media[0].glow, 0);
+  EXPECT_EQ(two.media[1].density, 1);
+  EXPECT_EQ(two.media[1].glow, -1);
 }
 
 TEST_F(Vdb, BricksFadeToZeroAroundTheFile) {
@@ -205,10 +242,10 @@ TEST_F(Vdb, BricksFadeToZeroAroundTheFile) {
     const FlatScene scene = flatten(scene_with(density, interpolation), {});
     const Grid read = volume_read(density.file);
     ASSERT_EQ(read.border, Border::ZERO);
-    expect_bricks_of(read, scene, scene.media.at(0));
+    expect_bricks_of(read, scene, scene.medium(0));
     // Index (-3, 3, -7) is the first sample: cell-space 1 of trilinear, the middle of cell 0 of nearest.
     const dvec3 at(interpolation == INTERPOLATION_TRILINEAR ? 1.0 : 0.5);
-    EXPECT_LT(glm::distance(world_of(scene, scene.media[0], at), 0.25 * dvec3(-3, 3, -7)), 1e-5);
+    EXPECT_LT(glm::distance(world_of(scene, scene.medium(0), at), 0.25 * dvec3(-3, 3, -7)), 1e-5);
   }
 }
 
@@ -218,7 +255,7 @@ TEST(Bricks, GeneratorsFillTheirBounds) {
     SceneDesc desc = scene_with(generator("exponential", {4, 8, 2}), interpolation);
     desc.media[0].bounds = {dvec3(0, 0, 0), dvec3(4, 16, 1)};
     const FlatScene scene = flatten(desc, {});
-    const Medium& m = scene.media.at(0);
+    const Medium m = scene.medium(0);
     EXPECT_LT(glm::distance(world_of(scene, m, {m.lo.x, m.lo.y, m.lo.z}), dvec3(0)), 1e-5);
     EXPECT_LT(glm::distance(world_of(scene, m, {m.hi.x, m.hi.y, m.hi.z}), dvec3(4, 16, 1)), 1e-5);
     const dvec3 at(interpolation == INTERPOLATION_TRILINEAR ? 1.0 : 0.5);

@@ -51,7 +51,7 @@ TEST(LightGrids, ColumnsRunAlongTheLight) {
     const LightGrid& grid = scene.light_grids[0];
     EXPECT_LE(std::fabs(grid.slope_u), 1) << light;
     EXPECT_LE(std::fabs(grid.slope_v), 1) << light;
-    const Affine& world = scene.media[0].world_from_cell;
+    const Affine& world = scene.placed[0].world_from_cell;
     const dvec3 along =
         affine_direction(world, affine_direction(grid.cell_from_grid, dvec3(0, 0, grid.from_first ? 1 : -1)));
     const dvec3 travel = vec_promote(scene.lights[0].direction) * static_cast<double>(grid.reach);
@@ -63,7 +63,7 @@ TEST(LightGrids, EveryPlaneHoldsThePointsAboutItsBox) {
   for (const std::string& light : suns()) {
     const FlatScene scene = fog_under(light, 11);
     const LightGrid& grid = scene.light_grids[0];
-    each_point(scene.media[0], 0, [&](const dvec3& p) {
+    each_point(scene.medium(0), 0, [&](const dvec3& p) {
       const dvec3 g = affine_point(grid.grid_from_cell, p);
       EXPECT_GE(g.z, -1e-5) << light;
       EXPECT_LE(g.z, grid.nk - 1 + 1e-5) << light;
@@ -84,7 +84,7 @@ TEST(LightGrids, EveryPlaneHoldsThePointsAboutItsBox) {
 // Root mean square of the difference of transmittances to the light between grid and traced rays.
 double rms_of(const FlatScene& scene) {
   const Context context(scene, {});
-  const Medium& medium = scene.media[0];
+  const Medium medium = scene.medium(0);
   double sum = 0, count = 0;
   each_point(medium, 0.3, [&](const dvec3& p) {
     const dvec3 point = affine_point(medium.world_from_cell, p);

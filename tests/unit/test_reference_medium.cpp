@@ -23,21 +23,21 @@ TEST(ReferenceDensity, NearestIsOneValuePerCell) {
   const FlatScene scene = grid_scene({12, 17, 9}, INTERPOLATION_NEAREST, value);  // 2 x 3 x 2 bricks
   for (const ivec3& c : {ivec3(0), ivec3(7, 3, 8), ivec3(8, 9, 0), ivec3(3, 16, 2), ivec3(11, 16, 8)})
     for (const double inside : {0.0, 0.5, 0.999})
-      EXPECT_EQ(density_at(scene, scene.media[0], dvec3(c) + inside), value(c));
-  EXPECT_EQ(density_at(scene, scene.media[0], {12, 17, 9}), value({11, 16, 8}));  // the upper border
+      EXPECT_EQ(density_at(scene, scene.medium(0), dvec3(c) + inside), value(c));
+  EXPECT_EQ(density_at(scene, scene.medium(0), {12, 17, 9}), value({11, 16, 8}));  // the upper border
 }
 
 TEST(ReferenceDensity, TrilinearReproducesAMultilinearField) {
   const auto field = [](const dvec3& p) { return 1 + p.x + 2 * p.y * p.z + 3 * p.x * p.y * p.z; };
   const FlatScene scene = grid_scene({12, 10, 9}, INTERPOLATION_TRILINEAR, [&](ivec3 s) { return field(dvec3(s)); });
   for (const dvec3& p : {dvec3(0), dvec3(0.25, 7.5, 3.125), dvec3(7.75, 8, 8.5), dvec3(8, 8, 8), dvec3(12, 10, 9)})
-    EXPECT_NEAR(density_at(scene, scene.media[0], p), field(p), 1e-12 * field(p));
+    EXPECT_NEAR(density_at(scene, scene.medium(0), p), field(p), 1e-12 * field(p));
 }
 
 TEST(ReferenceDensity, EmptyBricksAreZero) {
   const FlatScene scene = grid_scene({16, 8, 8}, INTERPOLATION_NEAREST, [](ivec3 s) { return s.x > 8 ? 2 : 0; });
   ASSERT_EQ(scene.bricks[0], BRICK_EMPTY);
-  EXPECT_EQ(density_at(scene, scene.media[0], {3, 3, 3}), 0);
+  EXPECT_EQ(density_at(scene, scene.medium(0), {3, 3, 3}), 0);
   EXPECT_DOUBLE_EQ(optical_depth(scene, 0, ray_of({-1, 4.5, 4.5}, {1, 0, 0}), INFINITE, METHOD_DDA_NEAREST), 14);
 }
 
@@ -55,13 +55,13 @@ TEST(ReferenceDensity, ConstantGridEqualsHomogeneous) {
 
 TEST(ReferenceOpticalDepth, SphereChord) {
   FlatScene scene;
-  test::medium_add_constant(scene, dvec3(-2), dvec3(2), 1, 0).region = REGION_SPHERE;
+  test::medium_add_constant(scene, dvec3(-2), dvec3(2), 1, 0).placed.region = REGION_SPHERE;
   for (const double height : {0.0, 0.5, 1.5, 1.999})
     EXPECT_NEAR(optical_depth(scene, 0, ray_of({-9, height, 0}, {1, 0, 0}), INFINITE, METHOD_HOMOGENEOUS),
                 2 * std::sqrt(4 - height * height), 1e-13);
   EXPECT_EQ(optical_depth(scene, 0, ray_of({-9, 2, 0}, {1, 0, 0}), INFINITE, METHOD_HOMOGENEOUS), 0);
   EXPECT_NEAR(optical_depth(scene, 0, ray_of({0, 0, 0}, {1, 1, 1}), INFINITE, METHOD_HOMOGENEOUS), 2, 1e-14);
-  scene.media[0].hi = test::packed(2, 2, 6);  // an ellipsoid of half axes 2, 2, 4 about (0, 0, 2)
+  scene.placed[0].hi = test::packed(2, 2, 6);  // an ellipsoid of half axes 2, 2, 4 about (0, 0, 2)
   EXPECT_NEAR(optical_depth(scene, 0, ray_of({0, 0, 9}, {0, 0, -1}), INFINITE, METHOD_HOMOGENEOUS), 8, 1e-13);
 }
 
@@ -69,7 +69,7 @@ TEST(ReferenceOpticalDepth, RampAlongObliqueRaysIsExactWithGauss2) {
   const FlatScene scene = grid_scene({12, 10, 9}, INTERPOLATION_TRILINEAR, [](ivec3 s) { return s.y; });
   for (const dvec3& dir : {dvec3(1, 1, 1), dvec3(3, -1, 0.5), dvec3(-0.01, 1, 0), dvec3(1, 0, 0), dvec3(0, -1, 0)}) {
     const RayD ray = ray_of({5.3, 4.7, 4.1}, dir);
-    const Interval span = medium_interval(scene.media[0], ray, 0, INFINITE);
+    const Interval span = medium_interval(scene.medium(0), ray, 0, INFINITE);
     const double expected = (span.t1 - span.t0) * 0.5 * (ray.at(span.t0).y + ray.at(span.t1).y);
     EXPECT_NEAR(optical_depth(scene, 0, ray, INFINITE, METHOD_DDA_GAUSS2), expected, 1e-12 * expected);
     EXPECT_NEAR(optical_depth(scene, 0, ray, INFINITE, METHOD_DDA_MIDPOINT), expected, 1e-12 * expected);
@@ -80,9 +80,9 @@ TEST(ReferenceOpticalDepth, RampAlongObliqueRaysIsExactWithGauss2) {
 TEST(ReferenceOpticalDepth, CubicAlongARayInAScaledWorldIsExactWithGauss2) {
   // ρ = xyz in cell space, cells half a world unit wide and moved by one
   FlatScene scene = grid_scene({12, 10, 9}, INTERPOLATION_TRILINEAR, [](ivec3 s) { return s.x * s.y * s.z; });
-  scene.media[0].cell_from_world = test::affine_scale(2, {2, 2, 2});
+  scene.placed[0].cell_from_world = test::affine_scale(2, {2, 2, 2});
   const RayD ray = ray_of({-3, -1.5, -1}, {5, 3, 2});
-  const Interval span = medium_interval(scene.media[0], ray, 0, INFINITE);
+  const Interval span = medium_interval(scene.medium(0), ray, 0, INFINITE);
   double expected = 0;
   for (const QuadratureNode& node : gauss_legendre(3)) {
     const dvec3 p = 2.0 * ray.at(span.t0 + node.x * (span.t1 - span.t0)) + 2.0;
@@ -167,9 +167,9 @@ TEST(ReferenceSegments, OriginsOnCornersEdgesAndFacesInAllDirections) {
 
 TEST(ReferenceSegments, MarchCountsStepsWithATolerance) {
   FlatScene scene;
-  Medium& medium = test::medium_add_constant(scene, dvec3(0), dvec3(4), 1, 0);
+  MediumWalk& walk = test::medium_add_constant(scene, dvec3(0), dvec3(4), 1, 0).walk;
   const auto count = [&](double step) {
-    medium.step = static_cast<float>(step);
+    walk.step = static_cast<float>(step);
     return segments(scene, 0, RayD{{-1, 1, 1}, {1, 0, 0}}, 0, INFINITE, METHOD_MARCH_MIDPOINT).size();
   };
   EXPECT_EQ(count(1), 4u);
@@ -177,7 +177,7 @@ TEST(ReferenceSegments, MarchCountsStepsWithATolerance) {
   EXPECT_EQ(count(4 / 7.0005), 7u);  // within 1/1024 of it
   EXPECT_EQ(count(4 / 7.002), 8u);
   EXPECT_EQ(count(100), 1u);
-  medium.step = 1.5f;
+  walk.step = 1.5f;
   const std::vector<SegmentD> found = segments(scene, 0, RayD{{-1, 1, 1}, {1, 0, 0}}, 0, INFINITE, METHOD_HOMOGENEOUS);
   ASSERT_EQ(found.size(), 3u);
   EXPECT_DOUBLE_EQ(found[1].t_begin, 1 + 4 / 3.0);

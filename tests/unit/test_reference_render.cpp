@@ -66,12 +66,12 @@ TEST(ReferenceSlab, SegmentRuleByHand) {
   test::light_add_directional(scene, {0, 0, -1}, 5);
   const double expected = 0.75 * 5 / (4 * PI) * (1 - std::exp(-4)) / 2;
   for (const float step : {8.0f, 1.0f}) {
-    scene.media[0].step = step;
+    scene.walks[0].step = step;
     EXPECT_NEAR(ray_render(Context(scene, {}), VIEW).radiance.x, expected, 1e-14);
   }
   // a thin one takes the light in its middle: albedo · p E e^(-τ/2) · (1 - e^(-τ))
   FlatScene thin = slab(0x1p-13, 0x1p-12);
-  thin.media[0].step = 8;
+  thin.walks[0].step = 8;
   test::light_add_directional(thin, {0, 0, -1}, 5);
   const double tau = 3 * 0x1p-12;
   EXPECT_NEAR(ray_render(Context(thin, {}), VIEW).radiance.x,
@@ -91,8 +91,8 @@ TEST(ReferenceSlab, SegmentRuleByHand) {
 TEST(ReferenceSlab, SegmentRuleOfTwoMediaByHand) {
   // both fill the slab in one segment; each is dimmed by both, and both dim the light: one medium of their sum
   FlatScene scene = slab(0.25, 0.25);
-  scene.media[0].step = 8;
-  test::medium_add_constant(scene, {-64, -64, 0}, {64, 64, 2}, 0, 1).step = 8;
+  scene.walks[0].step = 8;
+  test::medium_add_constant(scene, {-64, -64, 0}, {64, 64, 2}, 0, 1).walk.step = 8;
   test::light_add_directional(scene, {0, 0, -1}, 1);
   const double expected = 1.25 / (4 * PI) * (1 - std::exp(-6)) / 3;
   const PixelD pixel = ray_render(Context(scene, {}), VIEW);
@@ -126,7 +126,7 @@ TEST(ReferenceMedia, OverlappingOnesEqualTheirSum) {
 TEST(ReferenceMedia, ExactPictureConvergesWithItsOrder) {
   FlatScene scene = test::scene_empty();
   test::medium_add_grid(scene, {6, 6, 6}, INTERPOLATION_TRILINEAR, wavy, 0.25, 0.75);
-  scene.media[0].method = METHOD_MARCH_MIDPOINT;  // not asked by the exact picture
+  scene.walks[0].method = METHOD_MARCH_MIDPOINT;  // not asked by the exact picture
   test::light_add_directional(scene, {0, -1, 0}, 1);
   const RayD ray{{-1, 3.5, 2.25}, vec_unit({4, 1, 0.5})};
   const double fine = ray_render(Context(scene, {24, 1}), ray).radiance.x;
@@ -137,7 +137,7 @@ TEST(ReferenceMedia, ExactPictureConvergesWithItsOrder) {
 TEST(ReferenceMedia, ColoursAreIndependentAndNoExtinctionIsNoAlbedo) {
   FlatScene scene = slab(0, 0);
   scene.media[0].sigma_s = test::packed(1, 0, 0.5);
-  scene.media[0].step = 8;
+  scene.walks[0].step = 8;
   test::light_add_directional(scene, {0, 0, -1}, 1);
   const PixelD pixel = ray_render(Context(scene, {}), VIEW);
   EXPECT_NEAR(pixel.radiance.x, (1 - std::exp(-4)) / 2 / (4 * PI), 1e-15);

@@ -47,7 +47,7 @@ TEST(Storage, HalfIsOffByItsLastDigit) {
 TEST(Storage, BytesAreOffByHalfAPartOfTheBricksRange) {
   for (const char* interpolation : {"trilinear", "nearest"}) {
     const FlatScene given = scene_with("f32", interpolation), scene = scene_with("u8", interpolation);
-    const int read = scene.media[0].interpolation == INTERPOLATION_NEAREST ? BRICK_CELLS : BRICK_SAMPLES;
+    const int read = scene.placed[0].interpolation == INTERPOLATION_NEAREST ? BRICK_CELLS : BRICK_SAMPLES;
     ASSERT_EQ(scene.packed.size(), given.voxels.size());
     for (std::size_t i = 0; i < scene.bricks.size(); ++i) {
       if (scene.bricks[i] == BRICK_EMPTY) continue;
@@ -77,7 +77,7 @@ TEST(Storage, ConstantsStayExactInBytes) {
 TEST(Storage, HalfHoldsDensitiesOfAnySize) {
   for (const char* value : {"70000", "1e30", "1e-30", "3e-5"}) {
     const FlatScene scene = scene_with("f16", "trilinear", R"("type": "constant", "value": )" + std::string(value));
-    const Medium& m = scene.media[0];
+    const MediumBody& m = scene.media[0];
     EXPECT_LE(scene.storage_error, 0x1p-11) << value;
     EXPECT_NEAR(double(scene.voxels[0]) * m.sigma_a.x / std::stod(value), 1, 1e-3) << value;
   }

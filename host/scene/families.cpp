@@ -49,7 +49,7 @@ FAMILY(method_family, METHOD, BRUME_METHODS)
 
 const Family& shape_family() {
   static const Family rows{
-#define ROW(id, name, help) {SHAPE_##id, name, help},
+#define ROW(id, name, help) {SHAPE_##id, #name, help},
       BRUME_SHAPES(ROW)
 #undef ROW
           {SHAPE_COUNT, "triangle", "three vertices"},

@@ -1,6 +1,8 @@
 // One device in use: context, queue, buffers with their sizes checked and counted, errors with names.
 #pragma once
+#include <atomic>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,8 @@ class Context {
   const DeviceInfo& device() const { return device_; }
   const cl::Context& cl() const { return context_; }
   const cl::CommandQueue& queue() const { return queue_; }
-  std::size_t allocated_bytes() const { return allocated_; }
+  // Of all buffers that still live, also those whose last use is under way.
+  std::size_t allocated_bytes() const { return *allocated_; }
 
   // A buffer of `bytes` (at least 16, so that an empty array is still a valid argument), filled from `data` unless null.
   // Throws RuntimeError naming `what`, the size and what the device allows.
@@ -32,7 +35,8 @@ class Context {
   DeviceInfo device_;
   cl::Context context_;
   cl::CommandQueue queue_;
-  std::size_t allocated_ = 0;
+  // Shared: buffers may outlive the context, and die in threads of the driver.
+  std::shared_ptr<std::atomic<std::size_t>> allocated_;
 };
 
 }  // namespace brume

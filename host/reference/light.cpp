@@ -18,6 +18,8 @@ double spot_share(const Light& light, const dvec3& travel) {
 
 }  // namespace
 
+static_assert(LIGHT_COUNT == 3 && FALLOFF_COUNT == 2, "light_at knows all");
+
 LightSample light_at(const Light& light, const dvec3& point) {
   const dvec3 intensity = vec_promote(light.intensity);
   if (light.type == LIGHT_DIRECTIONAL) return {vec_unit(vec_promote(light.direction)), intensity, INFINITE};

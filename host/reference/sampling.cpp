@@ -40,6 +40,8 @@ dvec2 pixel_position(int sample, int spp, double xi0, double xi1) {
   return {(first + xi0 * count) / spp, (sample - first + xi1) / count};
 }
 
+static_assert(CAMERA_COUNT == 2, "camera_ray knows all");
+
 RayD camera_ray(const Camera& camera, int x, int y, const dvec2& position) {
   const double film_x = 2 * (x + position.x) / camera.width - 1;
   const double film_y = 1 - 2 * (y + position.y) / camera.height;

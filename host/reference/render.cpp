@@ -198,7 +198,7 @@ PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& r
   return path_render(context, ray, {random, 0, whole ? INFINITY : float(SECONDARY_RAYS_MAX), dvec3(1)});
 }
 
-PixelD pixel_render(const Context& context, int x, int y) {
+PixelD pixel_render(const Context& context, int x, int y, const std::function<RayD(const RayD&)>& moved) {
   const Frame& frame = context.scene.frame;
   const uint pixel = static_cast<uint>(y) * static_cast<uint>(frame.camera.width) + static_cast<uint>(x);
   PixelD sum;
@@ -207,7 +207,8 @@ PixelD pixel_render(const Context& context, int x, int y) {
     const double xi1 = rng_uniform(pixel, static_cast<uint>(sample), 1, frame.seed);
     const dvec2 position = pixel_position(sample, frame.camera.spp, xi0, xi1);
     const FrameRayD camera = start_before_planes(context.scene, frame_ray(frame, x, y, position));
-    PixelD one = ray_render(context, camera.ray, {pixel, static_cast<uint>(sample), frame.seed});
+    PixelD one =
+        ray_render(context, moved ? moved(camera.ray) : camera.ray, {pixel, static_cast<uint>(sample), frame.seed});
     one.depth = (one.depth + one.hits * camera.start) * context.scene.unit;
     if (is_valid(one)) {
       pixel_add(sum, one);

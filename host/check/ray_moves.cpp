@@ -10,6 +10,10 @@ namespace {
 
 constexpr double DIGITS = 0x1p-21;  // four of float's
 
+bool has_nan(const std::vector<double>& values) {
+  return std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); });
+}
+
 }  // namespace
 
 reference::RayD ray_moved(const reference::RayD& ray, int move) {
@@ -22,7 +26,7 @@ reference::RayD ray_moved(const reference::RayD& ray, int move) {
 
 void add_or_edge(ErrorSum& sum, const std::vector<double>& kernel, const std::vector<double>& reference,
                  const std::function<std::vector<double>(int move)>& moved) {
-  if (!sum.agree(kernel, reference))
+  if (!sum.agree(kernel, reference) && !has_nan(kernel) && !has_nan(reference))
     for (int move = 0; move < RAY_MOVES; ++move)
       if (!sum.agree(moved(move), reference)) {
         sum.add_edge();

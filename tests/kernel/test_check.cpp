@@ -12,6 +12,7 @@
 
 #include "check/check.hpp"
 #include "check/check_parts.hpp"
+#include "check/ray_moves.hpp"
 #include "check/row_scenes.hpp"
 #include "scene/families.hpp"
 #include "shared/layout.h"
@@ -69,6 +70,24 @@ TEST(CheckRow, AMissIsSeen) {
   EXPECT_FALSE(nothing.row().passed());
   nothing.set_items(100);  // compared nothing all the same
   EXPECT_FALSE(nothing.row().passed());
+}
+
+// An edge is what the reference is not sure of itself: neither a plain error nor a NaN is one.
+TEST(RayMoves, ExcuseOnlyWhatTheReferenceIsNotSureOf) {
+  const auto row = [](double kernel, double reference, double moved) {
+    ErrorSum sum("x", 1, "image");
+    for (int i = 0; i < 2; ++i)
+      add_or_edge(sum, {kernel}, {reference}, [&](int) { return std::vector<double>{moved}; });
+    sum.add(0, 0);
+    sum.set_items(10000);
+    return sum.row();
+  };
+  EXPECT_EQ(row(1.1, 1.0, 1.0).edges, 0u);
+  EXPECT_FALSE(row(1.1, 1.0, 1.0).passed());
+  EXPECT_EQ(row(1.1, 1.0, 1.2).edges, 2u);
+  EXPECT_TRUE(row(1.1, 1.0, 1.2).passed());
+  EXPECT_FALSE(row(NAN, 1.0, 1.2).passed());
+  EXPECT_FALSE(row(1.0, NAN, 1.2).passed());
 }
 
 // What a filter names is worked out and nothing else, be it the head of a row, its middle or its end.

@@ -10,37 +10,46 @@
 
 namespace brume::bench {
 
-const std::vector<Setting>& settings() {
-  static const std::vector<Setting> all{
-      {"dda_gauss2/trace", METHOD_DDA_GAUSS2, 0, SHADOW_TRACE},  // exact: the others' errors are against it
-      {"dda_nearest/trace", METHOD_DDA_NEAREST, 0, SHADOW_TRACE},
-      {"dda_midpoint/trace", METHOD_DDA_MIDPOINT, 0, SHADOW_TRACE},
-      {"march_midpoint_1/trace", METHOD_MARCH_MIDPOINT, 1, SHADOW_TRACE},
-      {"march_midpoint_jitter_1/trace", METHOD_MARCH_MIDPOINT_JITTER, 1, SHADOW_TRACE},
-      {"march_regular_1/trace", METHOD_MARCH_REGULAR, 1, SHADOW_TRACE},
-      {"march_regular_jitter_1/trace", METHOD_MARCH_REGULAR_JITTER, 1, SHADOW_TRACE},
-      {"delta_tracking/trace", METHOD_DELTA_TRACKING, 0, SHADOW_TRACE},
-      {"ratio_tracking/trace", METHOD_RATIO_TRACKING, 0, SHADOW_TRACE},
-      {"residual_ratio/trace", METHOD_RESIDUAL_RATIO, 0, SHADOW_TRACE},
-      {"dda_midpoint/grid256", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 256},
-      {"dda_midpoint/grid128", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 128},
-      {"dda_midpoint/grid64", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 64},
-      {"dda_midpoint/grid32", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 32},
-      {"dda_midpoint/grid16", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 16},
-      {"dda_midpoint_f16/grid128", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 128, STORAGE_F16},
-      {"dda_midpoint_u8/grid128", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 128, STORAGE_U8},
-      {"march_midpoint_0.5/grid64", METHOD_MARCH_MIDPOINT, 0.5, SHADOW_GRID, 64},  // to 4: cost against steps
-      {"march_midpoint_1/grid64", METHOD_MARCH_MIDPOINT, 1, SHADOW_GRID, 64},
-      {"march_midpoint_2/grid64", METHOD_MARCH_MIDPOINT, 2, SHADOW_GRID, 64},
-      {"march_midpoint_4/grid64", METHOD_MARCH_MIDPOINT, 4, SHADOW_GRID, 64},
-      {"march_midpoint_2/grid32", METHOD_MARCH_MIDPOINT, 2, SHADOW_GRID, 32},
-      {"march_midpoint_4/grid32", METHOD_MARCH_MIDPOINT, 4, SHADOW_GRID, 32},
-      {"march_midpoint_6/grid24", METHOD_MARCH_MIDPOINT, 6, SHADOW_GRID, 24},
-  };
-  return all;
+namespace {
+
+constexpr Setting SETTINGS[] = {
+    {"dda_gauss2/trace", METHOD_DDA_GAUSS2, 0, SHADOW_TRACE},  // exact: the others' errors are against it
+    {"dda_nearest/trace", METHOD_DDA_NEAREST, 0, SHADOW_TRACE},
+    {"dda_midpoint/trace", METHOD_DDA_MIDPOINT, 0, SHADOW_TRACE},
+    {"march_midpoint_1/trace", METHOD_MARCH_MIDPOINT, 1, SHADOW_TRACE},
+    {"march_midpoint_jitter_1/trace", METHOD_MARCH_MIDPOINT_JITTER, 1, SHADOW_TRACE},
+    {"march_regular_1/trace", METHOD_MARCH_REGULAR, 1, SHADOW_TRACE},
+    {"march_regular_jitter_1/trace", METHOD_MARCH_REGULAR_JITTER, 1, SHADOW_TRACE},
+    {"delta_tracking/trace", METHOD_DELTA_TRACKING, 0, SHADOW_TRACE},
+    {"ratio_tracking/trace", METHOD_RATIO_TRACKING, 0, SHADOW_TRACE},
+    {"residual_ratio/trace", METHOD_RESIDUAL_RATIO, 0, SHADOW_TRACE},
+    {"dda_midpoint/grid256", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 256},
+    {"dda_midpoint/grid128", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 128},
+    {"dda_midpoint/grid64", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 64},
+    {"dda_midpoint/grid32", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 32},
+    {"dda_midpoint/grid16", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 16},
+    {"dda_midpoint_f16/grid128", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 128, STORAGE_F16},
+    {"dda_midpoint_u8/grid128", METHOD_DDA_MIDPOINT, 0, SHADOW_GRID, 128, STORAGE_U8},
+    {"march_midpoint_0.5/grid64", METHOD_MARCH_MIDPOINT, 0.5, SHADOW_GRID, 64},  // to 4: cost against steps
+    {"march_midpoint_1/grid64", METHOD_MARCH_MIDPOINT, 1, SHADOW_GRID, 64},
+    {"march_midpoint_2/grid64", METHOD_MARCH_MIDPOINT, 2, SHADOW_GRID, 64},
+    {"march_midpoint_4/grid64", METHOD_MARCH_MIDPOINT, 4, SHADOW_GRID, 64},
+    {"march_midpoint_2/grid32", METHOD_MARCH_MIDPOINT, 2, SHADOW_GRID, 32},
+    {"march_midpoint_4/grid32", METHOD_MARCH_MIDPOINT, 4, SHADOW_GRID, 32},
+    {"march_midpoint_6/grid24", METHOD_MARCH_MIDPOINT, 6, SHADOW_GRID, 24},
+};
+
+constexpr bool has_setting(int method) {
+  for (const Setting& setting : SETTINGS)
+    if (setting.method == method) return true;
+  return false;
 }
 
-namespace {
+// The workloads are grids: what fits a constant density only has nothing to do there.
+#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
+  static_assert(has_setting(METHOD_##id) || (fits) == FITS_CONSTANT, "no setting measures " name);
+BRUME_METHODS(ROW)
+#undef ROW
 
 // Of the medium: trilinear, it fades over one voxel more.
 double longest_side(const Workload& work) {
@@ -50,9 +59,14 @@ double longest_side(const Workload& work) {
 
 }  // namespace
 
+const std::vector<Setting>& settings() {
+  static const std::vector<Setting> all(std::begin(SETTINGS), std::end(SETTINGS));
+  return all;
+}
+
 SceneDesc scene_of(const Workload& work, const Setting& setting) {
   SceneDesc desc = work.desc;
-  if (setting.method == METHOD_DDA_NEAREST) desc.media[0].interpolation = INTERPOLATION_NEAREST;
+  if (method_fits(setting.method) == FITS_NEAREST) desc.media[0].interpolation = INTERPOLATION_NEAREST;
   desc.render.method = setting.method;
   if (setting.step_voxels > 0) desc.render.step = setting.step_voxels * work.voxel_size() / longest_side(work);
   desc.render.shadow = setting.shadow;

@@ -10,7 +10,7 @@
 namespace brume::bench {
 
 struct Setting {
-  std::string name;  // permanent: results of years are compared by it
+  const char* name;  // permanent: results of years are compared by it
   int method;
   double step_voxels;  // of marchers; 0 for the others
   int shadow, light_grid = 64, storage = STORAGE_F32;

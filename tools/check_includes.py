@@ -21,8 +21,9 @@ HOST = {
     "film": "base shared image",
     "reference": "base shared flat film",
     "render": "base shared flat film cl",
-    "check": "base shared scene flat film reference render cl",
-    "cli": "base shared scene volume mesh accel image load flat cl film reference render check",
+    "check": "base shared scene volume flat film reference render cl",
+    "stability": "base shared scene flat film reference render cl check",
+    "cli": "base shared scene volume mesh accel image load flat cl film reference render check stability",
     "": "base cli",  # host/main.cpp
 }
 KERNELS = {

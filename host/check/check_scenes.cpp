@@ -1,12 +1,11 @@
-// Small scenes for `brume check`: between them every shape, light, material, phase, method, interpolation and density that needs no
-// file. Dense fields only, so that skipping empty bricks cannot hide a wrong cell; no horizon, where a plane's distance is worth nothing in
-// single precision.
+// Small scenes for `brume check`, each a picture of several things at once. Dense fields only, so that skipping empty
+// bricks cannot hide a wrong cell; no horizon, where a plane's distance is worth nothing in single precision.
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "base/error.hpp"
 #include "check/check_parts.hpp"
-#include "flat/flatten.hpp"
+#include "check/row_scenes.hpp"
 #include "scene/scene_reader.hpp"
 
 namespace brume {
@@ -18,7 +17,7 @@ struct SceneText {
   const char* text;
 };
 
-// The first five shapes of "surfaces" stand in the order of ShapeType; check_surfaces takes them one by one.
+// The shapes of "surfaces" are taken one by one as well (row_scenes.cpp).
 constexpr SceneText SCENES[] = {
     {"surfaces", R"({
   "camera": {"eye": [0.4, 2.4, 3.8], "target": [0, -0.05, 0], "vfov": 38}, "film": {"spp": 4}, "background": [0.1, 0.15, 0.2],
@@ -247,24 +246,32 @@ void torus_smooth(FlatScene& scene) {
   });
 }
 
-Texture image_texture(const FlatScene& scene) {
+// Adds the texture with texels of its own.
+int image_append(FlatScene& scene, Texture texture) {
+  CheckRandom random;
+  texture.offset = static_cast<uint>(scene.texels.size() / 3);
+  for (int i = 0; i < 3 * texture.width * texture.height; ++i)
+    scene.texels.push_back(static_cast<float>(random.uniform(0, 1)));
+  scene.textures.push_back(texture);
+  return static_cast<int>(scene.textures.size()) - 1;
+}
+
+Texture image_texture() {
   Texture t{};
   t.type = TEXTURE_IMAGE;
   t.width = 32;
   t.height = 24;
-  t.offset = static_cast<uint>(scene.texels.size() / 3);
   t.uv_scale[0] = t.uv_scale[1] = t.gain = 1;
   return t;
 }
 
-// Image textures without a file: 32 x 24 random texels for the first material; the same shown once and in other units for the light
-// of the last, negative where texels are below 1/8.
-void image_add(FlatScene& scene) {
-  Texture t = image_texture(scene);
-  CheckRandom random;
-  for (int i = 0; i < 3 * t.width * t.height; ++i) scene.texels.push_back(static_cast<float>(random.uniform(0, 1)));
-  scene.materials[0].texture = static_cast<int>(scene.textures.size());
-  scene.textures.push_back(t);
+}  // namespace
+
+int image_add(FlatScene& scene) { return image_append(scene, image_texture()); }
+
+// Negative where texels are below 1/8.
+int image_add_clamped(FlatScene& scene) {
+  Texture t = image_texture();
   t.clamp = 1;
   t.uv_scale[0] = 1.5F;
   t.uv_scale[1] = -0.5F;
@@ -272,11 +279,8 @@ void image_add(FlatScene& scene) {
   t.uv_offset[1] = 0.75F;
   t.base = -0.0625F;
   t.gain = 0.5F;
-  scene.materials[2].emission_texture = static_cast<int>(scene.textures.size());
-  scene.textures.push_back(t);
+  return image_append(scene, t);
 }
-
-}  // namespace
 
 std::vector<std::string> check_scene_names() {
   std::vector<std::string> names;
@@ -284,18 +288,25 @@ std::vector<std::string> check_scene_names() {
   return names;
 }
 
-FlatScene check_scene(const std::string& name, int size, int bvh_width) {
+SceneDesc check_scene_desc(const std::string& name) {
   for (const SceneText& scene : SCENES) {
     if (name != scene.name) continue;
     SceneDesc desc = scene_read_text(scene.text, name + ".json", {});
-    desc.film.size = {size, size};
     if (name == "mesh") torus_add(desc);
-    FlatScene flat = flatten(desc, {bvh_width, {}});
-    if (name == "mesh") torus_smooth(flat);
-    if (name == "surfaces") image_add(flat);
-    return flat;
+    return desc;
   }
   throw InputError("no check scene is called '" + name + "'");
+}
+
+// "surfaces" has an image for the first material, another for the light of the last.
+FlatScene check_scene(const std::string& name, int size, int bvh_width) {
+  FlatScene scene = row_scene(check_scene_desc(name), name, size, bvh_width);
+  if (name == "mesh") torus_smooth(scene);
+  if (name == "surfaces") {
+    scene.materials[0].texture = image_add(scene);
+    scene.materials[2].emission_texture = image_add_clamped(scene);
+  }
+  return scene;
 }
 
 }  // namespace brume

@@ -1,7 +1,9 @@
 // One device in use: context, queue, buffers with their sizes checked and counted, errors with names.
 #pragma once
+#include <atomic>
 #include <cstddef>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,7 +21,8 @@ class Context {
   const DeviceInfo& device() const { return device_; }
   const cl::Context& cl() const { return context_; }
   const cl::CommandQueue& queue() const { return queue_; }
-  std::size_t allocated_bytes() const { return allocated_; }
+  // Of all buffers that still live, also those whose last use is under way.
+  std::size_t allocated_bytes() const { return *allocated_; }
 
   // A buffer of `bytes` (at least 16, so that an empty array is still a valid argument), filled from `data` unless null.
   // Throws RuntimeError naming `what`, the size and what the device allows.
@@ -37,8 +40,9 @@ class Context {
   DeviceInfo device_;
   cl::Context context_;
   cl::CommandQueue queue_;
-  std::size_t allocated_ = 0;
   mutable Programs programs_;
+  // Shared: buffers may outlive the context, and die in threads of the driver.
+  std::shared_ptr<std::atomic<std::size_t>> allocated_;
 };
 
 }  // namespace brume

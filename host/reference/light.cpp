@@ -37,6 +37,7 @@ std::vector<LightPick> light_picks(const FlatScene& scene, const RandomStream& r
   }
   return picks;
 }
+static_assert(LIGHT_COUNT == 3 && FALLOFF_COUNT == 2, "light_at knows all");
 
 LightSample light_at(const Light& light, const dvec3& point) {
   const dvec3 intensity = vec_promote(light.intensity);

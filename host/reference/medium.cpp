@@ -65,6 +65,9 @@ std::vector<double> cell_crossings(const RayD& ray, double t0, double t1) {
   return crossings;
 }
 
+static_assert(RULE_COUNT == 5 && PLACEMENT_COUNT == 3, "dda_rule, march_visit and segments_visit know all");
+static_assert(INTERPOLATION_COUNT == 2, "density_in_cell knows all");
+
 // ∫ρ over a segment within one cell.
 double dda_rule(const FlatScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment, int rule) {
   const double length = segment.t_end - segment.t_begin, middle = segment.middle();

@@ -200,14 +200,15 @@ PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& r
   return path_render(context, ray, {random, 0, whole ? INFINITY : float(SECONDARY_RAYS_MAX), dvec3(1)});
 }
 
-PixelD pixel_render(const Context& context, int x, int y) {
+PixelD pixel_render(const Context& context, int x, int y, const std::function<RayD(const RayD&)>& moved) {
   const Frame& frame = context.scene.frame;
   const uint pixel = static_cast<uint>(y) * static_cast<uint>(frame.camera.width) + static_cast<uint>(x);
   PixelD sum;
   for (int sample = 0; sample < std::max(1, frame.camera.spp); ++sample) {
     const dvec2 position = pixel_position(pixel, static_cast<uint>(sample), frame.camera.spp, frame.seed);
     const FrameRayD camera = start_before_planes(context.scene, frame_ray(frame, x, y, position));
-    PixelD one = ray_render(context, camera.ray, {pixel, static_cast<uint>(sample), frame.seed});
+    PixelD one =
+        ray_render(context, moved ? moved(camera.ray) : camera.ray, {pixel, static_cast<uint>(sample), frame.seed});
     one.depth = (one.depth + one.hits * camera.start) * context.scene.unit;
     if (is_valid(one)) {
       pixel_add(sum, one);

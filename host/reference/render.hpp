@@ -1,6 +1,8 @@
 // The scalar double-precision renderer that the kernels are compared with: plain, one sample after another, written
 // from ARCHITECTURE.md alone. No speed to speak of; no BVH, no early stop, no float arithmetic.
 #pragma once
+#include <functional>
+
 #include "film/film.hpp"
 #include "flat/flat_scene.hpp"
 #include "reference/scatter.hpp"
@@ -17,8 +19,9 @@ struct PixelD {
 // One sample of one ray; `samples` is 1.
 PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& random = {});
 
-// All samples of pixel (x, y), y = 0 at the top; depth from the camera, in world units.
-PixelD pixel_render(const Context& context, int x, int y);
+// All samples of pixel (x, y), y = 0 at the top; depth from the camera, in world units. `moved`, if given, takes each
+// camera ray to the one that is followed.
+PixelD pixel_render(const Context& context, int x, int y, const std::function<RayD(const RayD&)>& moved = {});
 
 // Renders the crop of scene.frame and overwrites those pixels; FilmPixel::shadow_rays, a statistic of devices, stays 0.
 // The film must have the size of the camera, else RuntimeError.

@@ -63,6 +63,8 @@ dvec2 pixel_position(uint pixel, uint sample, int spp, uint seed) {
           uniform(owen_scrambled(sobol(sample, 1), rng_bits(pixel, 0, 1, seed)))};
 }
 
+static_assert(CAMERA_COUNT == 2, "camera_ray knows all");
+
 RayD camera_ray(const Camera& camera, int x, int y, const dvec2& position) {
   const double film_x = 2 * (x + position.x) / camera.width - 1;
   const double film_y = 1 - 2 * (y + position.y) / camera.height;

@@ -106,6 +106,8 @@ dvec3 image_lookup(const FlatScene& scene, const Texture& texture, const dvec2& 
   return glm::max(static_cast<double>(texture.base) + static_cast<double>(texture.gain) * color, dvec3(0));
 }
 
+static_assert(MATERIAL_COUNT == 3 && TEXTURE_COUNT == 2, "what is below knows every model and texture");
+
 // What the specular lobe raises to the shininess.
 double lobe_base(int model, const dvec3& normal, const dvec3& to_light, const dvec3& to_viewer) {
   if (model == MATERIAL_PHONG)

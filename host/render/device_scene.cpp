@@ -31,12 +31,17 @@ Contents scratch_light_entries(const FlatScene& s, int tau_channels) {
   return {static_cast<std::size_t>(s.light_entries * tau_channels) * sizeof(float), nullptr};
 }
 
+template <class Member>
+struct Element {
+  using Type = Member;
+};
 template <class T>
-T element_of(const std::vector<T>&);
-[[maybe_unused]] Frame element_of(const Frame&);
+struct Element<std::vector<T>> {
+  using Type = T;
+};
 
 // Kernels and host mean the same elements.
-#define ASSERT_FLAT(type, member) static_assert(std::is_same_v<decltype(element_of(FlatScene::member)), type>);
+#define ASSERT_FLAT(type, member) static_assert(std::is_same_v<Element<decltype(FlatScene::member)>::Type, type>);
 #define ASSERT_STORED(type, member)
 #define ASSERT_SCRATCH(type, member)
 #define ROW(space, type, name, kind, member, what) ASSERT_##kind(type, member)

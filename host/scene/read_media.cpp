@@ -96,7 +96,7 @@ std::array<dvec3, 2> read_bounds(const JsonValue& bounds) {
 
 void read_phase(const JsonValue& phase, MediumDesc& m) {
   m.phase = phase.get("type").as_member(phase_family(), "phase function");
-  if (m.phase == PHASE_HENYEY_GREENSTEIN) m.g = phase.number("g", m.g, Range::open(-1, 1));
+  if (phase_takes_g(m.phase)) m.g = phase.number("g", m.g, Range::open(-1, 1));
   phase.refuse_unread();
 }
 

@@ -20,6 +20,8 @@ constexpr int FILM_SIDE_MAX = 65536;
 constexpr double STEPS_MAX = 1e5;        // along the medium's longest side
 constexpr double INTENSITY_MAX = 1e100;  // W/sr of a light inverse to the square of a distance that may itself be 1e38
 
+static_assert(CAMERA_COUNT == 2 && LIGHT_COUNT == 3, "read_camera and read_light know the keys of all");
+
 CameraDesc read_camera(const JsonValue& scene) {
   CameraDesc c;
   if (!scene.has("camera")) return c;

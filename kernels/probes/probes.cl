@@ -5,6 +5,7 @@
 #include "radiance/radiative.cl"
 #include "radiance/surface.cl"
 #include "shared/aov.h"
+#include "shared/layout.h"
 
 #define PROBE(name) __kernel void name(SCENE_ARGS, uint count, __global const float* in, __global float* out)
 #define PROBE_ITEM                          \
@@ -143,14 +144,31 @@ PROBE(probe_scatter) {
   probe_store3(vec_unpack(result.transmittance), out + 6 * item + 3);
 }
 
-// out: size of each shared struct as this device lays it out
+// in: material as bits, normal, to light, to viewer. out: radiance of irradiance 1; 0 for light from behind
+PROBE(probe_material) {
+  PROBE_ITEM;
+  __global const float* v = in + 10 * item;
+  const Material material = materials[as_int(v[0])];
+  const float3 normal = probe_load3(v + 1), to_light = probe_load3(v + 4), to_viewer = probe_load3(v + 7);
+  float3 sent = (float3)(0.0f);
+  if (dot(normal, to_light) > 0.0f)
+    sent = material_reflect(&material, vec_unpack(material.diffuse), normal, to_light, to_viewer);
+  probe_store3(sent, out + 3 * item);
+}
+
+// out: of each shared struct its size, then where each of its fields lies, as this device lays it out
 PROBE(probe_layout) {
   PROBE_ITEM;
   (void)in;
-  const float sizes[] = {sizeof(Packed3),      sizeof(Affine),    sizeof(Camera),     sizeof(Frame),
-                         sizeof(Light),        sizeof(Material),  sizeof(Texture),    sizeof(Shape),
-                         sizeof(Triangle),     sizeof(BrickGrid), sizeof(PlacedGrid), sizeof(MediumBody),
-                         sizeof(MediumWalk),   sizeof(Ray),       sizeof(Hit),        sizeof(MediumResult),
-                         sizeof(SurfaceResult), sizeof(Sample),    sizeof(FilmPixel)};
-  for (int i = 0; i < (int)(sizeof(sizes) / sizeof(float)); ++i) out[i] = sizes[i];
+  int n = 0;
+#define F(field) out[n++] = (float)(uint)(size_t)(&((Laid*)0)->field);
+#define STRUCT(struct_type, fields)       \
+  {                                       \
+    typedef struct_type Laid;             \
+    out[n++] = (float)(uint)sizeof(Laid); \
+    fields                                \
+  }
+  BRUME_STRUCTS(STRUCT)
+#undef STRUCT
+#undef F
 }

@@ -19,35 +19,6 @@ static inline float3 triangle_normals(const Triangle* t, const Hit* hit, float3*
                    hit->v * vec_unpack(t->n[2]));
 }
 
-// Outward normal and uv of an analytic shape.
-static inline float3 shape_normal(const Shape* shape, float3 point, float2* uv) {
-  const int type = shape->type;
-  *uv = (float2)(0.0f);
-  if (USES_SHAPE(SPHERE) && type == SHAPE_SPHERE) {
-    const float3 n = normalize(point - shape_vec(shape, 0));
-    *uv = sphere_uv(n);
-    return n;
-  }
-  if (USES_SHAPE(CYLINDER) && type == SHAPE_CYLINDER) {
-    const Cylinder c = cylinder_load(shape);
-    return cylinder_normal(&c, point, uv);
-  }
-  if (USES_SHAPE(PLANE) && type == SHAPE_PLANE) {
-    const float3 n = shape_vec(shape, 3), u = shape_vec(shape, 6), from = point - shape_vec(shape, 0);
-    *uv = (float2)(dot(from, u), dot(from, cross(n, u)));
-    return n;
-  }
-  if (USES_SHAPE(QUAD) && type == SHAPE_QUAD) {
-    *uv = quad_coordinates(shape_vec(shape, 6), shape_vec(shape, 9), point - shape_vec(shape, 0));
-    return shape_vec(shape, 3);
-  }
-  if (USES_SHAPE(BOX) && type == SHAPE_BOX) {
-    const Affine a = shape_affine(shape);
-    return box_normal(&a, point, uv);
-  }
-  return (float3)(0.0f, 0.0f, 1.0f);
-}
-
 static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* hit) {
   Surface s;
   const float3 dir = vec_unpack(ray->dir);

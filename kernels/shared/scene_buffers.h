@@ -8,27 +8,27 @@
 //   FLAT    the same for every picture of a scene: a member of FlatScene
 //   STORED  depends on render.storage
 //   SCRATCH filled on the device
-#define BRUME_SCENE_BUFFERS(ROW, NEXT)                                                                               \
-  ROW(__constant, Frame, frame, FLAT, frame, "frame")                                                                \
-  NEXT ROW(__global, Light, lights, FLAT, lights, "lights") NEXT                                                     \
-  ROW(__global, float, light_shares, FLAT, light_shares, "light shares") NEXT                                        \
-  ROW(__global, Material, materials, FLAT, materials, "materials") NEXT                                              \
-  ROW(__global, Texture, textures, FLAT, textures, "textures") NEXT                                                  \
-  ROW(__global, float, texels, FLAT, texels, "texture pixels") NEXT                                                  \
-  ROW(__global, Shape, shapes, FLAT, shapes, "shapes") NEXT                                                          \
-  ROW(__global, Triangle, triangles, FLAT, triangles, "triangles") NEXT                                              \
-  ROW(__global, float, bvh_nodes, FLAT, bvh_nodes, "BVH nodes") NEXT                                                 \
-  ROW(__global, int, bvh_links, FLAT, bvh_links, "BVH links") NEXT                                                   \
-  ROW(__global, float, bvh_blocks, FLAT, bvh_blocks, "BVH triangles") NEXT                                           \
-  ROW(__global, int, bvh_ids, FLAT, bvh_ids, "BVH triangle numbers") NEXT                                            \
-  ROW(__global, BrickGrid, grids, FLAT, grids, "grids") NEXT                                                         \
-  ROW(__global, PlacedGrid, placed, FLAT, placed, "placed grids") NEXT                                               \
-  ROW(__global, MediumBody, media, FLAT, media, "media") NEXT                                                        \
-  ROW(__global, MediumWalk, walks, FLAT, walks, "walks through media") NEXT                                          \
-  ROW(__global, int, bricks, FLAT, bricks, "brick index") NEXT                                                       \
-  ROW(__global, float, ranges, STORED, brick_ranges, "brick ranges") NEXT                                            \
-  ROW(__global, voxel_t, voxels, STORED, voxels, "voxels") NEXT                                                      \
-  ROW(__global, LightGrid, light_grids, FLAT, light_grids, "light grids") NEXT                                       \
+#define BRUME_SCENE_BUFFERS(ROW, NEXT)                                                                    \
+  ROW(__constant, Frame, frame, FLAT, frame, "frame")                                                     \
+  NEXT ROW(__global, Light, lights, FLAT, lights, "lights") NEXT ROW(__global, float, light_shares, FLAT, \
+                                                                     light_shares, "light shares") NEXT   \
+  ROW(__global, Material, materials, FLAT, materials, "materials") NEXT                                   \
+  ROW(__global, Texture, textures, FLAT, textures, "textures") NEXT                                       \
+  ROW(__global, float, texels, FLAT, texels, "texture pixels") NEXT                                       \
+  ROW(__global, Shape, shapes, FLAT, shapes, "shapes") NEXT                                               \
+  ROW(__global, Triangle, triangles, FLAT, triangles, "triangles") NEXT                                   \
+  ROW(__global, float, bvh_nodes, FLAT, bvh_nodes, "BVH nodes") NEXT                                      \
+  ROW(__global, int, bvh_links, FLAT, bvh_links, "BVH links") NEXT                                        \
+  ROW(__global, float, bvh_blocks, FLAT, bvh_blocks, "BVH triangles") NEXT                                \
+  ROW(__global, int, bvh_ids, FLAT, bvh_ids, "BVH triangle numbers") NEXT                                 \
+  ROW(__global, BrickGrid, grids, FLAT, grids, "grids") NEXT                                              \
+  ROW(__global, PlacedGrid, placed, FLAT, placed, "placed grids") NEXT                                    \
+  ROW(__global, MediumBody, media, FLAT, media, "media") NEXT                                             \
+  ROW(__global, MediumWalk, walks, FLAT, walks, "walks through media") NEXT                               \
+  ROW(__global, int, bricks, FLAT, bricks, "brick index") NEXT                                            \
+  ROW(__global, float, ranges, STORED, brick_ranges, "brick ranges") NEXT                                 \
+  ROW(__global, voxel_t, voxels, STORED, voxels, "voxels") NEXT                                           \
+  ROW(__global, LightGrid, light_grids, FLAT, light_grids, "light grids") NEXT                            \
   ROW(__global, float, light_tau, SCRATCH, light_entries, "light grid depths")
 
 #endif

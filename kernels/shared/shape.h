@@ -3,13 +3,14 @@
 #define BRUME_SHARED_SHAPE_H
 #include "shared/platform.h"
 
+// ROW(ID, name; kernels: NAME_hit and NAME_normal, help)
 // The analytic shapes. `triangle` and `mesh` are scene types too; both become Triangles.
-#define BRUME_SHAPES(ROW)                                                                     \
-  ROW(SPHERE, "sphere", "center, radius")                                                     \
-  ROW(CYLINDER, "cylinder", "closed cylinder: centre of the base, centre of the top, radius") \
-  ROW(PLANE, "plane", "unbounded: a point and the normal")                                    \
-  ROW(QUAD, "quad", "parallelogram corner + s u + t v, s and t in [0,1]")                     \
-  ROW(BOX, "box", "min, max, with a transform")
+#define BRUME_SHAPES(ROW)                                                                   \
+  ROW(SPHERE, sphere, "center, radius")                                                     \
+  ROW(CYLINDER, cylinder, "closed cylinder: centre of the base, centre of the top, radius") \
+  ROW(PLANE, plane, "unbounded: a point and the normal")                                    \
+  ROW(QUAD, quad, "parallelogram corner + s u + t v, s and t in [0,1]")                     \
+  ROW(BOX, box, "min, max, with a transform")
 
 BRUME_SHARED_BEGIN
 enum ShapeType {

@@ -5,6 +5,7 @@
 #include "check/check_parts.hpp"
 #include "physics/closed_form.hpp"
 #include "reference/quadrature.hpp"
+#include "scene/families.hpp"
 
 namespace brume::test {
 namespace {
@@ -51,6 +52,11 @@ TEST(Phase, IntegratesToOneWithMeanCosineG) {
       EXPECT_NEAR(m.cosine, static_cast<float>(g), KERNEL_LIMIT) << "g = " << g;
     }
   }
+}
+
+TEST(Phase, EveryRowIntegratesToOne) {
+  for (const FamilyRow& row : phase_family())
+    EXPECT_NEAR(phase_moments(row.id, phase_takes_g(row.id) ? 0.5 : 0, 8).norm, 1, KERNEL_LIMIT) << row.name;
 }
 
 }  // namespace

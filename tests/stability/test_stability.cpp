@@ -1,8 +1,8 @@
 // Every method on every case of `brume check --stability`, one test a case; and that the judgement can fail.
 #include <gtest/gtest.h>
 
-#include "check/stability.hpp"
-#include "check/stability_parts.hpp"
+#include "stability/stability.hpp"
+#include "stability/stability_parts.hpp"
 
 namespace brume {
 namespace {

@@ -8,8 +8,8 @@
 
 namespace brume {
 
-// One method in one case. Always demanded: no NaN, no infinity, no negative light, 0 <= transmittance <= 1, and an end. What
-// else a case demands of which methods, and what it only records, its remark says.
+// One method in one case. Always demanded: no NaN, no infinity, no negative light, 0 <= transmittance <= 1, and an
+// end. What else a case demands of which methods, and what it only records, its remark says.
 struct StabilityRow {
   std::string name;    // of the case
   std::string method;  // with the in-scattering rule or interpolation where the case is about them

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "check/stability_parts.hpp"
 #include "scene/families.hpp"
+#include "stability/stability_parts.hpp"
 
 namespace brume {
 

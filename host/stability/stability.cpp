@@ -1,5 +1,5 @@
 // See stability.hpp: the judgement, and the order of cases and methods.
-#include "check/stability.hpp"
+#include "stability/stability.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,13 +8,13 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/number_text.hpp"
-#include "check/stability_parts.hpp"
 #include "flat/flatten.hpp"
 #include "reference/medium.hpp"
 #include "reference/scatter.hpp"
 #include "scene/families.hpp"
 #include "scene/scene_reader.hpp"
 #include "shared/method.h"
+#include "stability/stability_parts.hpp"
 
 namespace brume {
 

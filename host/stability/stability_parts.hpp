@@ -3,8 +3,8 @@
 #include <glm/vec3.hpp>
 
 #include "check/check_parts.hpp"
-#include "check/stability.hpp"
 #include "reference/vec.hpp"
+#include "stability/stability.hpp"
 
 namespace brume {
 
@@ -28,8 +28,8 @@ class StabilityRun {
   bool steps() const;  // equal steps: neither exact nor a tracker
   bool exact() const;  // for its interpolation
 
-  // A cube [-1,1]³ of 8³ voxels under a sun from the front right, by this method. `density` and `medium` are JSON members
-  // ("density" is constant 1 when empty), `render` too.
+  // A cube [-1,1]³ of 8³ voxels under a sun from the front right, by this method. `density` and `medium` are JSON
+  // members ("density" is constant 1 when empty), `render` too.
   FlatScene cube(const std::string& density = "", const std::string& medium = "", const std::string& render = "") const;
 
   struct Sent {
@@ -37,8 +37,9 @@ class StabilityRun {
   };
   // The kernels along each ray; judges what must always hold.
   std::vector<Sent> shoot(const FlatScene& scene, const StabilityRays& rays);
-  // The same, and transmittances against the exact optical depth of the reference: methods that are exact must be within
-  // `limit`, so must the others where all are (in a constant density, but for trackers); else the error is recorded.
+  // The same, and transmittances against the exact optical depth of the reference: methods that are exact must be
+  // within `limit`, so must the others where all are (in a constant density, but for trackers); else the error is
+  // recorded.
   void compare(const FlatScene& scene, const StabilityRays& rays, double limit, bool all_exact);
 
   void expect(bool holds, const std::string& remark);  // a remark is kept when it does not hold

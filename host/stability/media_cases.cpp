@@ -5,11 +5,11 @@
 
 #include "base/error.hpp"
 #include "check/check_images.hpp"
-#include "check/stability_parts.hpp"
 #include "flat/flatten.hpp"
 #include "reference/medium.hpp"
 #include "scene/families.hpp"
 #include "scene/scene_reader.hpp"
+#include "stability/stability_parts.hpp"
 
 namespace brume {
 
@@ -51,8 +51,8 @@ void step_tiny(StabilityRun& run) {
   run.compare(scene, rays, 2e-3, true);
 }
 
-// τ from 1e-6 to 1e6 of a medium that glows as much as it absorbs: what it sends is 1 - T, whatever its density. The segment rule
-// stays within [0, 1]; the rectangle rule is seen to over- and undershoot.
+// τ from 1e-6 to 1e6 of a medium that glows as much as it absorbs: what it sends is 1 - T, whatever its density. The
+// segment rule stays within [0, 1]; the rectangle rule is seen to over- and undershoot.
 void depth_range(StabilityRun& run, const char* rule, bool bounded) {
   FlatScene scene = run.cube(run.method() == METHOD_HOMOGENEOUS ? "" : R"({"type": "linear", "resolution": [8, 8, 8]})",
                              "", std::string(R"("in_scattering": ")") + rule + "\"");

@@ -1,5 +1,6 @@
 # Script: cmake -DMODULE=x.so -DOUTPUT=x.hpp -P library_order.cmake
-# Writes the names of all libraries that MODULE needs, those that others need first: the loader lists them the other way.
+# Writes the names of all libraries that MODULE needs, those that others need first: the loader lists them
+# the other way.
 # Without ldd the list is short and loading takes longer.
 execute_process(COMMAND ldd "${MODULE}" OUTPUT_VARIABLE listed ERROR_QUIET)
 string(REGEX MATCHALL "[^ \t\n]+ => /" libraries "${listed}")

@@ -11,8 +11,10 @@
 
 namespace {
 
-// The module beside this program that does the work. Linked in the ordinary way, each symbol of its 250 libraries would be
-// looked for in all of them; loaded one by one, those that others need first, each is looked for in its own few. A library
+// The module beside this program that does the work. Linked in the ordinary way, each symbol of its 250
+// libraries would be
+// looked for in all of them; loaded one by one, those that others need first, each is looked for in its own
+// few. A library
 // that cannot be loaded alone comes with one that needs it.
 void* codec_load() {
   for (const char* library : CODEC_LIBRARIES) ::dlopen(library, RTLD_LAZY | RTLD_LOCAL);

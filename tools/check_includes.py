@@ -47,7 +47,8 @@ LIBRARIES = {
     "CLI/": "cli",
     "nlohmann/": "base scene check cli",
 }
-GENERATED = {"version.hpp"}
+# Header that the build makes -> the rooms that may see it.
+GENERATED = {"version.hpp": ("", "cli"), "codec_libraries.hpp": ("codec",)}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
 
@@ -60,7 +61,8 @@ def quoted_error(root, path, included):
     in_kernels = path.parts[0] == "kernels"
     suffix, room = Path(included).suffix, included.split("/")[0] if "/" in included else ""
     if included in GENERATED:
-        return None if room_of(path) in ("", "cli") else "only main and cli know the version"
+        rooms = [room or "main" for room in GENERATED[included]]
+        return None if room_of(path) in GENERATED[included] else f"only {' and '.join(rooms)} may include {included}"
     allowed = (KERNELS if in_kernels else HOST)[room_of(path)].split() + [room_of(path)]
     if room not in allowed:
         return f"{path.parts[0]}/{room_of(path)} may include {', '.join(filter(None, allowed)) or 'nothing'}, not {room or 'the root'}"

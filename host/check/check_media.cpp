@@ -65,7 +65,7 @@ using CellLengths = std::map<std::tuple<int, int, int>, double>;  // of a ray in
 std::tuple<int, int, int> cell_key(const glm::ivec3& c) { return {c.x, c.y, c.z}; }
 
 CellLengths lengths_exact(const FlatScene& scene, const reference::RayD& ray, double end) {
-  const Medium& medium = scene.media[0];
+  const Medium medium = scene.medium(0);
   CellLengths lengths;
   const auto interval = reference::medium_interval(medium, ray, 0, end);
   if (interval.empty()) return lengths;
@@ -76,7 +76,7 @@ CellLengths lengths_exact(const FlatScene& scene, const reference::RayD& ray, do
 
 // found: pairs (t of the middle, length)
 CellLengths lengths_found(const FlatScene& scene, const reference::RayD& ray, const float* found) {
-  const Medium& medium = scene.media[0];
+  const Medium medium = scene.medium(0);
   const auto local = reference::ray_to_cells(medium, ray);
   CellLengths lengths;
   for (int k = 0; k < PROBE_SEGMENTS && found[2 * k + 1] > 0; ++k)
@@ -113,8 +113,8 @@ CheckCompare integral_prepare(const SceneDesc& desc, int size) {
   const auto rays = std::make_shared<MediumRays>(rays_make(size * size));
   const auto scene = std::make_shared<FlatScene>(medium_scene(desc, 4));
   const auto depth = [rays, scene](std::size_t i, const reference::RayD& ray) -> std::vector<double> {
-    return {
-        reference::optical_depth(*scene, 0, ray, rays->ends[i], scene->media[0].method, nullptr, stream_of(*scene, i))};
+    return {reference::optical_depth(*scene, 0, ray, rays->ends[i], scene->medium(0).method, nullptr,
+                                     stream_of(*scene, i))};
   };
   std::vector<std::vector<double>> expected;
   for (std::size_t i = 0; i < rays->rays.size(); ++i) expected.push_back(depth(i, rays->rays[i]));

@@ -13,7 +13,6 @@ namespace brume {
 namespace {
 
 constexpr double BOUNDS_MARGIN = 1.0 / 32;  // flat units: camera rays start that much before the scene
-constexpr double FAR = 16;                  // flat units from the scene's centre: eyes beyond are far
 
 // The place of the camera (shared/camera.h), as multiples of `forward` from the target, which is exact where the scene is.
 void camera_place(const CameraDesc& c, const Bounds& bounds, const dvec3& forward, const FlatScene& scene,
@@ -25,7 +24,7 @@ void camera_place(const CameraDesc& c, const Bounds& bounds, const dvec3& forwar
     double nearest = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 8; ++i) nearest = std::min(nearest, glm::dot(bounds.corner(i) - target, forward));
     along = std::max(along, nearest);
-  } else if (!bounds.empty() && glm::distance(eye, bounds.center()) > FAR) {
+  } else if (!bounds.empty() && glm::distance(eye, bounds.center()) > FAR_AWAY) {
     along = std::max(along, glm::dot(bounds.center() - target, forward));
   }
   camera.axis = packed(along > -distance ? target + along * forward : eye);

@@ -13,12 +13,11 @@ namespace brume {
 
 namespace {
 
-constexpr double FAR = 16;  // flat units from the scene's centre: lights beyond are far
-
-// A light beyond FAR gets a length of its own, so that its distance is some FAR of them.
+// A light beyond FAR_AWAY gets a length of its own, so that its distance is some FAR_AWAY of them.
 void light_place(const LightDesc& desc, const FlatScene& scene, Light& light) {
   const dvec3 position = scene.point(desc.position), size = glm::abs(position);
-  light.exponent = std::max(0, static_cast<int>(std::ceil(std::log2(std::max({size.x, size.y, size.z, FAR}) / FAR))));
+  light.exponent =
+      std::max(0, static_cast<int>(std::ceil(std::log2(std::max({size.x, size.y, size.z, FAR_AWAY}) / FAR_AWAY))));
   const double length = std::exp2(light.exponent);
   light.position = packed(position / length);
   if (light.falloff == FALLOFF_INVERSE_SQUARE)

@@ -44,6 +44,8 @@ void note_once(std::vector<std::string>& notes, const std::string& note);
 
 LoadedShapes load_shapes(const SceneDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes);
 
+inline constexpr double FAR_AWAY = 16;  // flat units from the scene's centre, from which on eyes and lights are far
+
 void flatten_camera(const SceneDesc& desc, const Bounds& bounds, FlatScene& scene);  // bounds: of everything finite
 void flatten_lights(const SceneDesc& desc, FlatScene& scene);
 void flatten_materials(const SceneDesc& desc, LoadedScene& loaded, LoadedShapes& shapes, FlatScene& scene);

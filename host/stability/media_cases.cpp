@@ -15,8 +15,6 @@ namespace brume {
 
 namespace {
 
-bool all_methods(int) { return true; }
-bool has_grid(int method) { return method != METHOD_HOMOGENEOUS; }
 bool has_step(int method) { return method_has_step(method); }
 
 StabilityRays some_rays(int count, double half = 0.8) {

@@ -11,8 +11,6 @@ namespace {
 
 constexpr double CELL = 0.25;  // of the cube: 8 voxels over [-1, 1]
 
-bool all_methods(int) { return true; }
-
 std::vector<dvec3> axes() { return {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}; }
 
 // Every direction with components in {-1, 0, 1}, the zeros of both signs.

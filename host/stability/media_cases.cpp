@@ -15,6 +15,7 @@ namespace brume {
 
 namespace {
 
+bool has_grid(int method) { return method != METHOD_HOMOGENEOUS; }
 bool has_step(int method) { return method_has_step(method); }
 
 StabilityRays some_rays(int count, double half = 0.8) {

@@ -45,6 +45,7 @@ static inline LightPick light_choose(const Scene* scene, int n, float xi) {
   pick.light = n;
   pick.weight = 1.0f;
 #if BRUME_LIGHTS_CHOSEN
+  if (scene->frame->light_picks == scene->frame->light_count) return pick;
   const float picks = (float)scene->frame->light_picks;
   pick.light = light_at_share(scene, ((float)n + xi) / picks);
   const float share = scene->light_shares[pick.light + 1] - scene->light_shares[pick.light];

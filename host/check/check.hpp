@@ -6,7 +6,7 @@
 
 #include "check/tolerances.hpp"
 #include "cl/context.hpp"
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 
 namespace brume {
 
@@ -48,15 +48,15 @@ std::vector<CheckRow> check_run(Context& context, const CheckOptions& options,
 // Runs one probe kernel (kernels/probes/probes.cl) over in.size() / in_stride items.
 class Probe {
  public:
-  Probe(Context& context, const FlatScene& scene, int lanes) : context_(context), scene_(scene), lanes_(lanes) {}
+  Probe(Context& context, const PlannedScene& scene, int lanes) : context_(context), scene_(scene), lanes_(lanes) {}
   std::vector<float> run(const char* kernel, const std::vector<float>& in, std::size_t in_stride,
                          std::size_t out_stride) const;
-  const FlatScene& scene() const { return scene_; }
+  const PlannedScene& scene() const { return scene_; }
   int lanes() const { return lanes_; }
 
  private:
   Context& context_;
-  const FlatScene& scene_;
+  const PlannedScene& scene_;
   int lanes_;
 };
 

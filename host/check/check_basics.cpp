@@ -43,7 +43,7 @@ void add3(ErrorSum& sum, const float* kernel, const dvec3& reference) {
 }  // namespace
 
 std::vector<CheckRow> check_layout(Context& context, int lanes, int) {
-  const FlatScene scene = check_scene("surfaces", 8, std::max(lanes, 4));
+  const PlannedScene scene = check_scene("surfaces", 8, std::max(lanes, 4));
   const std::vector<std::size_t> sizes{
       sizeof(Packed3),      sizeof(Affine),       sizeof(Camera),     sizeof(Frame),    sizeof(Light),
       sizeof(Material),     sizeof(Texture),      sizeof(Shape),      sizeof(Triangle), sizeof(BrickGrid),
@@ -56,7 +56,7 @@ std::vector<CheckRow> check_layout(Context& context, int lanes, int) {
 }
 
 std::vector<CheckRow> check_rng(Context& context, int lanes, int items) {
-  const FlatScene scene = check_scene("surfaces", 8, std::max(lanes, 4));
+  const PlannedScene scene = check_scene("surfaces", 8, std::max(lanes, 4));
   std::vector<float> in;
   for (int i = 0; i < items; ++i)
     for (const int v : {i * 7919, i % 67, i % 5, i / 3}) in.push_back(bits_as_float(v));
@@ -69,7 +69,7 @@ std::vector<CheckRow> check_rng(Context& context, int lanes, int items) {
 std::vector<CheckRow> check_camera(Context& context, int lanes, int items) {
   std::vector<CheckRow> rows;
   for (const char* name : {"surfaces", "mesh"}) {  // perspective, orthographic
-    const FlatScene scene = check_scene(name, 64, std::max(lanes, 4));
+    const PlannedScene scene = check_scene(name, 64, std::max(lanes, 4));
     const Camera& camera = scene.frame.camera;
     std::vector<float> in;
     for (int i = 0; i < items; ++i) {
@@ -94,7 +94,7 @@ std::vector<CheckRow> check_camera(Context& context, int lanes, int items) {
 }
 
 std::vector<CheckRow> check_phase(Context& context, int lanes, int items) {
-  const FlatScene scene = check_scene("surfaces", 8, std::max(lanes, 4));
+  const PlannedScene scene = check_scene("surfaces", 8, std::max(lanes, 4));
   std::vector<CheckRow> rows;
   for (const double g : {0.0, -0.99, -0.65, 0.3, 0.65, 0.99}) {
     CheckRandom random;
@@ -124,7 +124,7 @@ std::vector<CheckRow> check_phase(Context& context, int lanes, int items) {
 }
 
 std::vector<CheckRow> check_light(Context& context, int lanes, int items) {
-  const FlatScene scene = check_scene("surfaces", 8, std::max(lanes, 4));
+  const PlannedScene scene = check_scene("surfaces", 8, std::max(lanes, 4));
   CheckRandom random;
   std::vector<float> in;
   std::vector<dvec3> points;
@@ -145,7 +145,7 @@ std::vector<CheckRow> check_light(Context& context, int lanes, int items) {
 }
 
 std::vector<CheckRow> check_texture(Context& context, int lanes, int items) {
-  const FlatScene scene = check_scene("surfaces", 8, std::max(lanes, 4));
+  const PlannedScene scene = check_scene("surfaces", 8, std::max(lanes, 4));
   std::vector<CheckRow> rows;
   for (std::size_t texture = 0; texture < scene.textures.size(); ++texture) {
     CheckRandom random;

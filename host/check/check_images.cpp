@@ -8,7 +8,7 @@
 
 namespace brume {
 
-Film render_film(Context& context, const FlatScene& scene, int lanes) {
+Film render_film(Context& context, const PlannedScene& scene, int lanes) {
   Film film({scene.frame.camera.width, scene.frame.camera.height});
   Renderer renderer(context, scene, {lanes, false, 0});
   if (!renderer.render(film, [](double) { return !interrupt_requested(); })) interrupt_check();

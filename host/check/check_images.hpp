@@ -15,6 +15,6 @@ std::vector<CheckRow> check_image(Context& context, const std::string& scene, in
 CheckRow film_check(const std::string& name, int lanes, const Film& kernel, const Film& reference);
 
 // The kernels' film of a flat scene.
-Film render_film(Context& context, const FlatScene& scene, int lanes);
+Film render_film(Context& context, const PlannedScene& scene, int lanes);
 
 }  // namespace brume

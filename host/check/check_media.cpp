@@ -78,7 +78,7 @@ std::vector<CheckRow> check_media(Context& context, int lanes, int items) {
   std::vector<CheckRow> rows;
   const MediumRays rays = rays_make(items);
   for (const char* scene_name : {"fog_nearest", "fog_gauss2", "fog_midpoint", "fog_march", "fog_homogeneous"}) {
-    const FlatScene scene = check_scene(scene_name, 8, std::max(lanes, 4));
+    const PlannedScene scene = check_scene(scene_name, 8, std::max(lanes, 4));
     const Medium medium = scene.medium(0);
     const std::string name = std::string(family_name(method_family(), medium.method)) + "/" +
                              std::string(family_name(interpolation_family(), medium.interpolation));

@@ -9,13 +9,13 @@ namespace brume {
 
 struct CheckScene {
   std::string name;
-  FlatScene flat;
+  PlannedScene flat;
 };
 
 // Scenes that between them use every shape, light, material, phase, method, interpolation and density. Made here, not read from
 // files: `brume check` works wherever brume is installed.
 std::vector<std::string> check_scene_names();
-FlatScene check_scene(const std::string& name, int size, int bvh_width);
+PlannedScene check_scene(const std::string& name, int size, int bvh_width);
 
 // One function check: fills rows for a device, a lane width and a number of items.
 using FunctionCheck = std::vector<CheckRow> (*)(Context&, int lanes, int items);

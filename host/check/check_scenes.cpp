@@ -222,7 +222,7 @@ void torus_add(SceneDesc& desc) {
 }
 
 // Smooth normals for three quarters of the torus; the rest stays flat.
-void torus_smooth(FlatScene& scene) {
+void torus_smooth(PlannedScene& scene) {
   std::size_t index = 0;
   torus_triangles([&](int i, int j, const int(&corners)[3][2]) {
     Triangle& t = scene.triangles[index++];
@@ -235,7 +235,7 @@ void torus_smooth(FlatScene& scene) {
   });
 }
 
-Texture image_texture(const FlatScene& scene) {
+Texture image_texture(const PlannedScene& scene) {
   Texture t{};
   t.type = TEXTURE_IMAGE;
   t.width = 32;
@@ -247,7 +247,7 @@ Texture image_texture(const FlatScene& scene) {
 
 // Image textures without a file: 32 x 24 random texels for the first material; the same shown once and in other units for the light
 // of the last, negative where texels are below 1/8.
-void image_add(FlatScene& scene) {
+void image_add(PlannedScene& scene) {
   Texture t = image_texture(scene);
   CheckRandom random;
   for (int i = 0; i < 3 * t.width * t.height; ++i) scene.texels.push_back(static_cast<float>(random.uniform(0, 1)));
@@ -272,13 +272,13 @@ std::vector<std::string> check_scene_names() {
   return names;
 }
 
-FlatScene check_scene(const std::string& name, int size, int bvh_width) {
+PlannedScene check_scene(const std::string& name, int size, int bvh_width) {
   for (const SceneText& scene : SCENES) {
     if (name != scene.name) continue;
     SceneDesc desc = scene_read_text(scene.text, name + ".json", {});
     desc.film.size = {size, size};
     if (name == "mesh") torus_add(desc);
-    FlatScene flat = flatten(desc, {bvh_width, {}});
+    PlannedScene flat = flatten(desc, {bvh_width, {}});
     if (name == "mesh") torus_smooth(flat);
     if (name == "surfaces") image_add(flat);
     return flat;

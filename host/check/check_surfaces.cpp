@@ -32,7 +32,7 @@ Rays rays_make(int count) {
 }
 
 // The scene with one analytic shape left, or with triangles only.
-FlatScene shape_only(FlatScene scene, int shape) {
+PlannedScene shape_only(PlannedScene scene, int shape) {
   if (shape < 0) {
     scene.shapes.clear();
   } else {
@@ -119,13 +119,13 @@ CheckRow check_surface(const Probe& probe, const std::string& name, const Rays& 
 
 std::vector<CheckRow> check_surfaces(Context& context, int lanes, int items) {
   std::vector<CheckRow> rows;
-  const FlatScene surfaces = check_scene("surfaces", 8, std::max(lanes, 4));
-  const FlatScene mesh = check_scene("mesh", 8, std::max(lanes, 4));
+  const PlannedScene surfaces = check_scene("surfaces", 8, std::max(lanes, 4));
+  const PlannedScene mesh = check_scene("mesh", 8, std::max(lanes, 4));
   const char* names[] = {"sphere", "cylinder", "plane", "quad", "box"};
   static_assert(std::size(names) == SHAPE_COUNT);
   const Rays rays = rays_make(items);
   for (int shape = 0; shape <= SHAPE_COUNT; ++shape) {
-    const FlatScene scene = shape < SHAPE_COUNT ? shape_only(surfaces, shape) : shape_only(mesh, -1);
+    const PlannedScene scene = shape < SHAPE_COUNT ? shape_only(surfaces, shape) : shape_only(mesh, -1);
     const std::string name = shape < SHAPE_COUNT ? names[shape] : "triangles";
     const Probe probe(context, scene, lanes);
     std::vector<float> hits;

@@ -103,24 +103,24 @@ LightGrid grid_along(const Lattice& lattice, const dvec3& travel) {
 
 }  // namespace
 
-int light_grids_append(const SceneDesc& desc, const Medium& medium, FlatScene& scene) {
+int light_grids_append(const SceneDesc& desc, const Medium& medium, const FlatScene& scene, RenderPlan& plan) {
   if (!wants_light_grids(desc, medium)) return -1;
   const Lattice lattice = lattice_of(medium, desc.render.light_grid);
   const dmat4 cell_from_world = matrix(medium.cell_from_world);
-  const int first = static_cast<int>(scene.light_grids.size());
+  const int first = static_cast<int>(plan.light_grids.size());
   for (const Light& light : scene.lights) {
     const dvec3 travel(light.direction.x, light.direction.y, light.direction.z);
     LightGrid grid = light.type == LIGHT_DIRECTIONAL ? grid_along(lattice, transform_dir(cell_from_world, travel))
                                                      : grid_upright(lattice);
-    grid.offset = static_cast<int>(scene.light_entries);
-    scene.light_entries += static_cast<std::int64_t>(grid.nu) * grid.nv * grid.nk;
+    grid.offset = static_cast<int>(plan.light_entries);
+    plan.light_entries += static_cast<std::int64_t>(grid.nu) * grid.nv * grid.nk;
     constexpr std::int64_t ENTRIES_MAX = 0x7fffffff / 3;  // kernels count all channels in an int
-    if (scene.light_entries > ENTRIES_MAX)
+    if (plan.light_entries > ENTRIES_MAX)
       throw InputError(desc.file.string() + ": /render/light_grid: " + std::to_string(desc.render.light_grid) +
-                       " makes " + std::to_string(scene.light_entries) +
+                       " makes " + std::to_string(plan.light_entries) +
                        " entries or more over all media and lights; at most " + std::to_string(ENTRIES_MAX) +
                        " are allowed");
-    scene.light_grids.push_back(grid);
+    plan.light_grids.push_back(grid);
   }
   return first;
 }

@@ -2,7 +2,7 @@
 // from ARCHITECTURE.md alone. No speed to speak of; no BVH, no early stop, no float arithmetic.
 #pragma once
 #include "film/film.hpp"
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 #include "reference/scatter.hpp"
 
 namespace brume::reference {
@@ -22,6 +22,6 @@ PixelD pixel_render(const Context& context, int x, int y);
 
 // Renders the crop of scene.frame and overwrites those pixels; FilmPixel::shadow_rays, a statistic of devices, stays 0.
 // The film must have the size of the camera, else RuntimeError.
-void render(const FlatScene& scene, Film& film, const Options& options = {});
+void render(const PlannedScene& scene, Film& film, const Options& options = {});
 
 }  // namespace brume::reference

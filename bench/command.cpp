@@ -14,6 +14,7 @@
 #include "film/film_compare.hpp"
 #include "measure.hpp"
 #include "peers.hpp"
+#include "render/device_scene.hpp"
 
 namespace brume {
 
@@ -52,7 +53,9 @@ void render_benchmark(::benchmark::State& state, const DeviceInfo& device, const
                       const Setting& setting) {
   Context context(device);  // counts the memory of this render alone
   const int lanes = lanes_choose(context.device(), 0);
-  Renderer renderer(context, flat_scene(work, setting, lanes), {lanes, false, 0});
+  const FlatScene& flat = flat_scene(work, setting, lanes);
+  Renderer renderer(context, std::make_shared<DeviceScene>(context, flat), plan_of(work, setting, flat),
+                    {lanes, false, 0});
   Film film(work.desc.film.size);
   int runs = 0;
   for (auto unused : state) {

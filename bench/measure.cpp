@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "base/interrupt.hpp"
 #include "flat/flatten.hpp"
+#include "render/device_scene.hpp"
 #include "shared/method.h"
 
 namespace brume::bench {
@@ -75,8 +77,17 @@ SceneDesc scene_of(const Workload& work, const Setting& setting) {
   return desc;
 }
 
-FlatScene flat_scene(const Workload& work, const Setting& setting, int lanes) {
-  return flatten(scene_of(work, setting), *work.loaded, {bvh_width_for(lanes), {}});
+const FlatScene& flat_scene(const Workload& work, const Setting& setting, int lanes) {
+  static std::map<std::tuple<std::string, int, int>, FlatScene> known;
+  const SceneDesc desc = scene_of(work, setting);
+  const auto key = std::make_tuple(work.name, desc.media[0].interpolation, lanes);
+  const auto found = known.find(key);
+  if (found != known.end()) return found->second;
+  return known[key] = scene_flatten(desc, *work.loaded, bvh_width_for(lanes));
+}
+
+RenderPlan plan_of(const Workload& work, const Setting& setting, const FlatScene& flat) {
+  return plan_render(scene_of(work, setting), flat, {});
 }
 
 Image picture(const Film& film) {
@@ -95,7 +106,9 @@ const Image& exact_picture(Context& context, const Workload& work) {
   const auto found = known.find(work.name);
   if (found != known.end()) return found->second;
   const int lanes = lanes_choose(context.device(), 0);
-  Renderer renderer(context, flat_scene(work, settings().front(), lanes), {lanes, false, 0});
+  const FlatScene& flat = flat_scene(work, settings().front(), lanes);
+  Renderer renderer(context, std::make_shared<DeviceScene>(context, flat), plan_of(work, settings().front(), flat),
+                    {lanes, false, 0});
   Film film(work.desc.film.size);
   if (!renderer.render(film, [](double) { return !interrupt_requested(); })) interrupt_check();
   return known[work.name] = picture(film);

@@ -17,4 +17,7 @@ std::string file_head(const std::filesystem::path& file, std::size_t count, std:
 // The ending in lower case, with its dot: ".vdb" of SMOKE.VDB; "" for none.
 std::string file_ending(const std::filesystem::path& file);
 
+// The same text for the same file, however the path to it is written; links are not followed.
+std::string file_key(const std::filesystem::path& file);
+
 }  // namespace brume

@@ -83,7 +83,7 @@ Check layout_check(std::size_t index) {
         if (i == index) first = total;
         total += all[i].numbers.size();
       }
-      const FlatScene scene = check_scene("empty", 8, std::max(lanes, 4));
+      const PlannedScene scene = check_scene("empty", 8, std::max(lanes, 4));
       const std::vector<float> found = Probe(context, scene, lanes).run("probe_layout", {0}, 1, total);
       const std::vector<std::size_t>& numbers = all[index].numbers;
       for (std::size_t i = 0; i < numbers.size(); ++i) sum.add(found[first + i], static_cast<double>(numbers[i]));
@@ -94,7 +94,7 @@ Check layout_check(std::size_t index) {
 
 CheckCompare rng_prepare(int size) {
   return [items = size * size](Context& context, int lanes, ErrorSum& sum) {
-    const FlatScene scene = check_scene("empty", 8, std::max(lanes, 4));
+    const PlannedScene scene = check_scene("empty", 8, std::max(lanes, 4));
     std::vector<float> in;
     for (int i = 0; i < items; ++i)
       for (const int v : {i * 7919, i % 67, i % 5, i / 3}) in.push_back(bits_as_float(v));
@@ -108,7 +108,7 @@ CheckCompare camera_prepare(int type, int size) {
     const int samples = 1 << 20;  // as many as a scene may ask for: all bits of their number are seen
     SceneDesc desc = check_scene_desc("surfaces");
     desc.camera.type = type;
-    const FlatScene scene = row_scene(desc, "camera", 64, std::max(lanes, 4));
+    const PlannedScene scene = row_scene(desc, "camera", 64, std::max(lanes, 4));
     const Camera& camera = scene.frame.camera;
     std::vector<float> in;
     for (int i = 0; i < items; ++i) {
@@ -144,7 +144,7 @@ CheckCompare phase_prepare(int phase, double g, int size) {
     expected.push_back(reference::phase_eval(phase, static_cast<float>(g), cosine));
   }
   return [in, expected](Context& context, int lanes, ErrorSum& sum) {
-    const FlatScene scene = check_scene("empty", 8, std::max(lanes, 4));
+    const PlannedScene scene = check_scene("empty", 8, std::max(lanes, 4));
     const std::vector<float> found = Probe(context, scene, lanes).run("probe_phase", in, 8, 1);
     for (std::size_t i = 0; i < expected.size(); ++i) sum.add(found[i], expected[i]);
   };
@@ -152,7 +152,7 @@ CheckCompare phase_prepare(int phase, double g, int size) {
 
 CheckCompare light_prepare(int type, int size) {
   return [type, items = size * size](Context& context, int lanes, ErrorSum& sum) {
-    const FlatScene scene = row_scene(lights_desc(type), "light", 8, std::max(lanes, 4));
+    const PlannedScene scene = row_scene(lights_desc(type), "light", 8, std::max(lanes, 4));
     CheckRandom random;
     std::vector<float> in;
     std::vector<dvec3> points;

@@ -13,7 +13,7 @@
 
 namespace brume {
 
-Film render_film(Context& context, const FlatScene& scene, int lanes) {
+Film render_film(Context& context, const PlannedScene& scene, int lanes) {
   Film film({scene.frame.camera.width, scene.frame.camera.height});
   Renderer renderer(context, scene, {lanes, false, 0});
   if (!renderer.render(film, [](double) { return !interrupt_requested(); })) interrupt_check();
@@ -59,14 +59,14 @@ CheckRow film_check(const std::string& name, int lanes, const Film& kernel, cons
 namespace {
 
 struct ReferenceScene {
-  explicit ReferenceScene(FlatScene flat) : scene(std::move(flat)), context(scene, {}) {}
+  explicit ReferenceScene(PlannedScene flat) : scene(std::move(flat)), context(scene, {}) {}
   ReferenceScene(const ReferenceScene&) = delete;  // the context refers to the scene
 
-  FlatScene scene;
+  PlannedScene scene;
   reference::Context context;
 };
 
-using SceneMake = std::function<FlatScene(int size, int bvh_width)>;
+using SceneMake = std::function<PlannedScene(int size, int bvh_width)>;
 
 Check image_check(const std::string& name, const SceneMake& make) {
   const auto prepare = [make](int size) -> CheckCompare {
@@ -85,7 +85,7 @@ Check image_check(const std::string& name, const SceneMake& make) {
   return {"image/" + name, "image", prepare};
 }
 
-FlatScene shadow_scene(int shadow, int size, int bvh_width) {
+PlannedScene shadow_scene(int shadow, int size, int bvh_width) {
   SceneDesc desc = fog_desc(density_kinds().front(), METHOD_AUTO);
   desc.render.shadow = shadow;
   return row_scene(desc, "shadow", size, bvh_width);

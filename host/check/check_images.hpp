@@ -4,7 +4,7 @@
 
 #include "check/check.hpp"
 #include "film/film.hpp"
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 
 namespace brume {
 
@@ -13,6 +13,6 @@ namespace brume {
 CheckRow film_check(const std::string& name, int lanes, const Film& kernel, const Film& reference);
 
 // The kernels' film of a flat scene.
-Film render_film(Context& context, const FlatScene& scene, int lanes);
+Film render_film(Context& context, const PlannedScene& scene, int lanes);
 
 }  // namespace brume

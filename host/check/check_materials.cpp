@@ -19,7 +19,7 @@ dvec3 towards(const dvec3& side, CheckRandom& random) {  // on that side of a su
 // A viewer near the mirrored direction every other time, where the lobe is.
 CheckCompare material_prepare(int model, int size) {
   return [model, items = size * size](Context& context, int lanes, ErrorSum& sum) {
-    const FlatScene scene = row_scene(material_desc(model), "material", 8, std::max(lanes, 4));
+    const PlannedScene scene = row_scene(material_desc(model), "material", 8, std::max(lanes, 4));
     CheckRandom random;
     std::vector<float> in;
     std::vector<dvec3> expected;
@@ -39,10 +39,10 @@ CheckCompare material_prepare(int model, int size) {
   };
 }
 
-using TexturedScene = FlatScene (*)(int type, int bvh_width);
+using TexturedScene = PlannedScene (*)(int type, int bvh_width);
 
 // By its keys' defaults, in colors that tell the channels apart.
-FlatScene made_texture(int type, int bvh_width) {
+PlannedScene made_texture(int type, int bvh_width) {
   TextureDesc texture;
   texture.type = type;
   texture.colors = {dvec3(0.8, 0.7, 0.6), dvec3(0.2, 0.3, 0.25)};
@@ -52,14 +52,14 @@ FlatScene made_texture(int type, int bvh_width) {
   return row_scene(desc, "texture", 8, bvh_width);
 }
 
-FlatScene repeated_image(int, int bvh_width) {
-  FlatScene scene = row_scene(material_desc(MATERIAL_LAMBERT), "texture", 8, bvh_width);
+PlannedScene repeated_image(int, int bvh_width) {
+  PlannedScene scene = row_scene(material_desc(MATERIAL_LAMBERT), "texture", 8, bvh_width);
   scene.materials[0].texture = image_add(scene);
   return scene;
 }
 
-FlatScene clamped_image(int, int bvh_width) {
-  FlatScene scene = row_scene(material_desc(MATERIAL_LAMBERT), "texture", 8, bvh_width);
+PlannedScene clamped_image(int, int bvh_width) {
+  PlannedScene scene = row_scene(material_desc(MATERIAL_LAMBERT), "texture", 8, bvh_width);
   scene.materials[0].texture = image_add_clamped(scene);
   return scene;
 }
@@ -67,7 +67,7 @@ FlatScene clamped_image(int, int bvh_width) {
 Check texture_check(const std::string& name, int type, TexturedScene make) {
   const auto prepare = [type, make](int size) -> CheckCompare {
     return [type, make, items = size * size](Context& context, int lanes, ErrorSum& sum) {
-      const FlatScene scene = make(type, std::max(lanes, 4));
+      const PlannedScene scene = make(type, std::max(lanes, 4));
       const int texture = scene.materials[0].texture;
       CheckRandom random;
       std::vector<float> in;

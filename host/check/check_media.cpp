@@ -55,16 +55,16 @@ std::vector<float> in_medium_0(const MediumRays& rays) {
   return in;
 }
 
-FlatScene medium_scene(const SceneDesc& desc, int lanes) { return row_scene(desc, "fog", 8, std::max(lanes, 4)); }
+PlannedScene medium_scene(const SceneDesc& desc, int lanes) { return row_scene(desc, "fog", 8, std::max(lanes, 4)); }
 
-reference::RandomStream stream_of(const FlatScene& scene, std::size_t ray) {
+reference::RandomStream stream_of(const PlannedScene& scene, std::size_t ray) {
   return {static_cast<uint>(ray), 0, scene.frame.seed};
 }
 
 using CellLengths = std::map<std::tuple<int, int, int>, double>;  // of a ray in each cell
 std::tuple<int, int, int> cell_key(const glm::ivec3& c) { return {c.x, c.y, c.z}; }
 
-CellLengths lengths_exact(const FlatScene& scene, const reference::RayD& ray, double end) {
+CellLengths lengths_exact(const PlannedScene& scene, const reference::RayD& ray, double end) {
   const Medium medium = scene.medium(0);
   CellLengths lengths;
   const auto interval = reference::medium_interval(medium, ray, 0, end);
@@ -75,7 +75,7 @@ CellLengths lengths_exact(const FlatScene& scene, const reference::RayD& ray, do
 }
 
 // found: pairs (t of the middle, length)
-CellLengths lengths_found(const FlatScene& scene, const reference::RayD& ray, const float* found) {
+CellLengths lengths_found(const PlannedScene& scene, const reference::RayD& ray, const float* found) {
   const Medium medium = scene.medium(0);
   const auto local = reference::ray_to_cells(medium, ray);
   CellLengths lengths;
@@ -94,7 +94,7 @@ double lengths_apart(CellLengths a, const CellLengths& b) {
 
 CheckCompare cells_prepare(const SceneDesc& desc, int size) {
   return [desc, rays = rays_make(size * size)](Context& context, int lanes, ErrorSum& sum) {
-    const FlatScene scene = medium_scene(desc, lanes);
+    const PlannedScene scene = medium_scene(desc, lanes);
     const std::vector<float> found =
         Probe(context, scene, lanes).run("probe_segments", in_medium_0(rays), 8, 2 * PROBE_SEGMENTS);
     for (std::size_t i = 0; i < rays.rays.size(); ++i) {
@@ -111,7 +111,7 @@ CheckCompare cells_prepare(const SceneDesc& desc, int size) {
 
 CheckCompare integral_prepare(const SceneDesc& desc, int size) {
   const auto rays = std::make_shared<MediumRays>(rays_make(size * size));
-  const auto scene = std::make_shared<FlatScene>(medium_scene(desc, 4));
+  const auto scene = std::make_shared<PlannedScene>(medium_scene(desc, 4));
   const auto depth = [rays, scene](std::size_t i, const reference::RayD& ray) -> std::vector<double> {
     return {reference::optical_depth(*scene, 0, ray, rays->ends[i], scene->medium(0).method, nullptr,
                                      stream_of(*scene, i))};
@@ -135,7 +135,7 @@ std::vector<double> scattered_values(const reference::Scattered& s) {
 // Radiance and transmittance; both sides draw the same random numbers.
 CheckCompare scatter_prepare(const SceneDesc& desc, int size) {
   const auto rays = std::make_shared<MediumRays>(rays_make(std::max(64, size * size / SCATTER_SHARE)));
-  const auto scene = std::make_shared<FlatScene>(medium_scene(desc, 4));
+  const auto scene = std::make_shared<PlannedScene>(medium_scene(desc, 4));
   const auto context = std::make_shared<reference::Context>(*scene, reference::Options{});
   const auto scattered = [rays, scene, context](std::size_t i, const reference::RayD& ray) {
     return reference::media_scatter(*context, ray, rays->ends[i], stream_of(*scene, i));

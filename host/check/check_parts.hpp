@@ -26,12 +26,12 @@ std::vector<Check> image_checks();     // image
 // installed. What has a row in a family does not depend on being in one of them: row_scenes.hpp.
 std::vector<std::string> check_scene_names();
 SceneDesc check_scene_desc(const std::string& name);
-FlatScene check_scene(const std::string& name, int size, int bvh_width);
+PlannedScene check_scene(const std::string& name, int size, int bvh_width);
 
 // Image textures without a file, added to a scene: 32 x 24 random texels, repeated; and the same shown once, in other
 // units. Return the texture's index.
-int image_add(FlatScene& scene);
-int image_add_clamped(FlatScene& scene);
+int image_add(PlannedScene& scene);
+int image_add_clamped(PlannedScene& scene);
 
 // Random numbers for test inputs; same on every platform.
 class CheckRandom {

@@ -233,7 +233,7 @@ void torus_add(SceneDesc& desc) {
 }
 
 // Smooth normals for three quarters of the torus; the rest stays flat.
-void torus_smooth(FlatScene& scene) {
+void torus_smooth(PlannedScene& scene) {
   std::size_t index = 0;
   torus_triangles([&](int i, int j, const int(&corners)[3][2]) {
     Triangle& t = scene.triangles[index++];
@@ -247,7 +247,7 @@ void torus_smooth(FlatScene& scene) {
 }
 
 // Adds the texture with texels of its own.
-int image_append(FlatScene& scene, Texture texture) {
+int image_append(PlannedScene& scene, Texture texture) {
   CheckRandom random;
   texture.offset = static_cast<uint>(scene.texels.size() / 3);
   for (int i = 0; i < 3 * texture.width * texture.height; ++i)
@@ -267,10 +267,10 @@ Texture image_texture() {
 
 }  // namespace
 
-int image_add(FlatScene& scene) { return image_append(scene, image_texture()); }
+int image_add(PlannedScene& scene) { return image_append(scene, image_texture()); }
 
 // Negative where texels are below 1/8.
-int image_add_clamped(FlatScene& scene) {
+int image_add_clamped(PlannedScene& scene) {
   Texture t = image_texture();
   t.clamp = 1;
   t.uv_scale[0] = 1.5F;
@@ -299,8 +299,8 @@ SceneDesc check_scene_desc(const std::string& name) {
 }
 
 // "surfaces" has an image for the first material, another for the light of the last.
-FlatScene check_scene(const std::string& name, int size, int bvh_width) {
-  FlatScene scene = row_scene(check_scene_desc(name), name, size, bvh_width);
+PlannedScene check_scene(const std::string& name, int size, int bvh_width) {
+  PlannedScene scene = row_scene(check_scene_desc(name), name, size, bvh_width);
   if (name == "mesh") torus_smooth(scene);
   if (name == "surfaces") {
     scene.materials[0].texture = image_add(scene);

@@ -12,9 +12,9 @@ namespace brume {
 namespace {
 
 // One program per set of options serves all probes: they only differ in the kernel they name.
-cl::Program probe_program(const Context& context, const FlatScene& scene, int lanes) {
+cl::Program probe_program(const Context& context, const PlannedScene& scene, int lanes) {
   static const std::string source = kernel_source("probes/probes.cl");
-  return program_build(context, source, kernel_options(scene, context.device(), lanes, true));
+  return program_build(context, source, kernel_options(scene, scene, context.device(), lanes, true));
 }
 
 }  // namespace
@@ -26,7 +26,8 @@ std::vector<float> Probe::run(const char* name, const std::vector<float>& in, st
   std::vector<float> out(count * out_stride);
   const DriverGuard guard;
   try {
-    const DeviceScene device_scene(context_, scene_, 3);
+    DeviceScene uploaded(context_, scene_);
+    const DevicePlan device_scene(context_, uploaded, scene_, 3);
     cl::Kernel kernel = kernel_create(probe_program(context_, scene_, lanes_), name);
     cl_uint argument = device_scene.set_arguments(kernel);
     const cl::Buffer in_buffer = context_.buffer("probe inputs", in),

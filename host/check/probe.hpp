@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cl/context.hpp"
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 
 namespace brume {
 
@@ -13,13 +13,13 @@ namespace brume {
 // back. Throws RuntimeError with device, kernel and OpenCL's cause.
 class Probe {
  public:
-  Probe(Context& context, const FlatScene& scene, int lanes) : context_(context), scene_(scene), lanes_(lanes) {}
+  Probe(Context& context, const PlannedScene& scene, int lanes) : context_(context), scene_(scene), lanes_(lanes) {}
   std::vector<float> run(const char* kernel, const std::vector<float>& in, std::size_t in_stride,
                          std::size_t out_stride) const;
 
  private:
   Context& context_;
-  const FlatScene& scene_;
+  const PlannedScene& scene_;
   int lanes_;
 };
 

@@ -116,7 +116,7 @@ SceneDesc material_desc(int model) {
   return desc;
 }
 
-FlatScene row_scene(SceneDesc desc, const std::string& name, int size, int bvh_width) {
+PlannedScene row_scene(SceneDesc desc, const std::string& name, int size, int bvh_width) {
   desc.file = name + ".json";
   desc.film.size = {size, size};
   return flatten(desc, {bvh_width, {}});

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 #include "scene/scene_desc.hpp"
 
 namespace brume {
@@ -32,6 +32,6 @@ SceneDesc lights_desc(int type);
 SceneDesc material_desc(int model);
 
 // Flattens at a size in pixels; errors name the scene as `name`.
-FlatScene row_scene(SceneDesc desc, const std::string& name, int size, int bvh_width);
+PlannedScene row_scene(SceneDesc desc, const std::string& name, int size, int bvh_width);
 
 }  // namespace brume

@@ -73,7 +73,7 @@ Json info_mesh(const Path& file) {
           {"notes", mesh.notes}};
 }
 
-Json medium_info(const FlatScene& flat, const Medium& m) {
+Json medium_info(const PlannedScene& flat, const Medium& m) {
   std::size_t stored = 0, empty = 0, constant = 0;
   const std::size_t count = std::size_t(m.brick_nx) * m.brick_ny * m.brick_nz;
   for (std::size_t i = m.brick_offset; i < m.brick_offset + count; ++i) {
@@ -90,7 +90,7 @@ Json medium_info(const FlatScene& flat, const Medium& m) {
 
 Json info_scene(const Path& file) {
   const SceneDesc desc = scene_read(file, {});
-  const FlatScene flat = flatten(desc, {});
+  const PlannedScene flat = flatten(desc, {});
   Json media = Json::array();
   for (std::size_t i = 0; i < flat.media.size(); ++i) media.push_back(medium_info(flat, flat.medium(i)));
   return {{"file", file.string()},
@@ -104,15 +104,15 @@ Json info_scene(const Path& file) {
           {"triangles", flat.triangles.size()},
           {"media", media},
           {"bytes",
-           {{"voxels", flat.packed.empty() ? flat.voxels.size() * sizeof(float) : flat.packed.size()},
+           {{"voxels", flat.stored ? flat.stored->packed.size() : flat.voxels.size() * sizeof(float)},
             {"brick_ranges", flat.brick_ranges.size() * sizeof(float)},
             {"brick_index", flat.bricks.size() * sizeof(std::int32_t)},
             {"textures", flat.texels.size() * sizeof(float)},
             {"triangles", flat.triangles.size() * sizeof(Triangle)},
             {"bvh", (flat.bvh_nodes.size() + flat.bvh_blocks.size()) * sizeof(float)}}},
           {"storage", family_name(storage_family(), flat.storage)},
-          {"storage_error", flat.storage_error},
-          {"notes", flat.notes}};
+          {"storage_error", flat.stored ? flat.stored->error : 0},
+          {"notes", flat.all_notes()}};
 }
 
 Json (*describer(FileKind kind))(const Path&) {

@@ -64,7 +64,7 @@ void attempt(std::string& failures, const std::filesystem::path& file, Write wri
   }
 }
 
-void write_outputs(const RenderArguments& arguments, const SceneDesc& desc, const FlatScene& flat, const Film& film,
+void write_outputs(const RenderArguments& arguments, const SceneDesc& desc, const PlannedScene& flat, const Film& film,
                    const Context& context, const RenderStats& stats, std::string& failures) {
   FilmWriteOptions options;
   options.exposure = desc.film.exposure;
@@ -125,11 +125,11 @@ int render_run(RenderArguments arguments) {
 
   const DeviceInfo device = device_choose(arguments.device);
   const int lanes = lanes_choose(device, arguments.lanes);
-  const FlatScene flat = with_memory(input, [&] {
+  const PlannedScene flat = with_memory(input, [&] {
     return flatten(desc, loaded, {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha});
   });
   loaded = {};  // one picture needs the files no longer
-  std::vector<std::string> notes = flat.notes;
+  std::vector<std::string> notes = flat.all_notes();
   for (const std::string& note : notes) say(arguments, "note: " + note);
   RunTimes times;
   times.load_s = lap.lap();

@@ -17,21 +17,21 @@ namespace {
 std::string method_of(const MediumWalk& walk) { return std::string(family_name(method_family(), walk.method)); }
 
 // That of all media, or of each: "dda_gauss2 (/media/0), homogeneous (/media/1)".
-std::string method_names(const FlatScene& flat) {
+std::string method_names(const PlannedScene& flat) {
   if (flat.walks.empty()) return "none";
   const auto same = [&](const MediumWalk& walk) { return walk.method == flat.walks.front().method; };
   if (std::all_of(flat.walks.begin(), flat.walks.end(), same)) return method_of(flat.walks.front());
   std::string names;
   for (std::size_t i = 0; i < flat.walks.size(); ++i)
-    names += (i > 0 ? ", " : "") + method_of(flat.walks[i]) + " (" + flat.places[i] + ")";
+    names += (i > 0 ? ", " : "") + method_of(flat.walks[i]) + " (" + flat.sizes[i].place + ")";
   return names;
 }
 
 // The method of each medium, and its step in world units where it has one.
-nlohmann::ordered_json media_json(const FlatScene& flat) {
+nlohmann::ordered_json media_json(const PlannedScene& flat) {
   nlohmann::ordered_json media = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < flat.walks.size(); ++i) {
-    media.push_back({{"place", flat.places[i]}, {"method", method_of(flat.walks[i])}});
+    media.push_back({{"place", flat.sizes[i].place}, {"method", method_of(flat.walks[i])}});
     if (method_has_step(flat.walks[i].method)) media.back()["step"] = flat.walks[i].step * flat.unit;
   }
   return media;
@@ -39,7 +39,7 @@ nlohmann::ordered_json media_json(const FlatScene& flat) {
 
 }  // namespace
 
-std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
+std::string render_stats_json(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,
                               const RenderStats& stats, const RunTimes& times) {
   nlohmann::ordered_json passes = nlohmann::ordered_json::array();
   for (const PassStats& pass : stats.passes)
@@ -74,7 +74,7 @@ std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, cons
   return json_line(json, 2) + "\n";
 }
 
-ImageMetadata render_metadata(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
+ImageMetadata render_metadata(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,
                               const RenderStats& stats) {
   return {{"scene", desc.file.string()}, {"method", method_names(flat)},         {"device", device.title()},
           {"driver", device.driver},     {"lanes", std::to_string(stats.lanes)}, {"spp", std::to_string(desc.film.spp)},
@@ -99,7 +99,7 @@ std::string invalid_note(const RenderStats& stats) {
   return text;
 }
 
-std::string render_summary(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
+std::string render_summary(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,
                            const RenderStats& stats, const RunTimes& times) {
   char film[64], rest[512];
   std::snprintf(film, sizeof film, "%dx%d, %d spp, method ", desc.film.size.x, desc.film.size.y, desc.film.spp);

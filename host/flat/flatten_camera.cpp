@@ -41,7 +41,7 @@ Bounds flat_bounds(const Bounds& world, const FlatScene& scene) {
 
 }  // namespace
 
-void flatten_camera(const SceneDesc& desc, const Bounds& world_bounds, FlatScene& scene) {
+void plan_camera(const SceneDesc& desc, const FlatScene& scene, Frame& frame) {
   const CameraDesc& c = desc.camera;
   const dvec3 forward = glm::normalize(c.target - c.eye);
   const dvec3 right = glm::normalize(glm::cross(forward, c.up));
@@ -49,9 +49,8 @@ void flatten_camera(const SceneDesc& desc, const Bounds& world_bounds, FlatScene
   const double half = c.type == CAMERA_PERSPECTIVE ? std::tan(glm::radians(0.5 * c.vfov)) : 0.5 * c.height / scene.unit;
   const double aspect = double(desc.film.size.x) / desc.film.size.y;
 
-  Frame& frame = scene.frame;
   frame.camera.type = c.type;
-  const Bounds bounds = flat_bounds(world_bounds, scene);
+  const Bounds bounds = flat_bounds(scene.bounds, scene);
   if (!bounds.empty()) {
     frame.bounds_lo = packed(bounds.lo);
     frame.bounds_hi = packed(bounds.hi);

@@ -41,17 +41,6 @@ Light light_flatten(const LightDesc& l, const FlatScene& scene) {
   return light;
 }
 
-// How many lights a point asks.
-int picks_of(const SceneDesc& desc, int lights) {
-  const int wanted = desc.render.light_samples;
-  const int picks = wanted == LIGHT_SAMPLES_AUTO ? (lights <= LIGHTS_ENUMERATED ? lights : LIGHT_PICKS)
-                                                 : (wanted == 0 ? lights : std::min(wanted, lights));
-  if (picks > LIGHT_PICKS_MAX)
-    throw InputError(desc.file.string() + ": /render/light_samples: 0 asks all " + std::to_string(lights) +
-                     " lights at every point; at most " + std::to_string(LIGHT_PICKS_MAX) + " are allowed");
-  return picks;
-}
-
 // About the irradiance that a light brings to the scene.
 double power_of(const Light& l) {
   const double intensity = std::max({l.intensity.x, l.intensity.y, l.intensity.z});
@@ -78,8 +67,9 @@ std::uint32_t curve_place(const Light& l) {
 // Half of it by power, half evenly, so that no light that is near somewhere is missed for long. In the order of a curve through
 // space: picks at even distances are then spread over the scene as well.
 void shares_fill(FlatScene& scene) {
-  std::stable_sort(scene.lights.begin(), scene.lights.end(),
-                   [](const Light& a, const Light& b) { return curve_place(a) < curve_place(b); });
+  if (scene.lights.size() > LIGHTS_ENUMERATED)
+    std::stable_sort(scene.lights.begin(), scene.lights.end(),
+                     [](const Light& a, const Light& b) { return curve_place(a) < curve_place(b); });
   const double total = std::accumulate(scene.lights.begin(), scene.lights.end(), 0.0,
                                        [](double sum, const Light& l) { return sum + power_of(l); });
   const double count = static_cast<double>(scene.lights.size());
@@ -96,9 +86,17 @@ void shares_fill(FlatScene& scene) {
 
 void flatten_lights(const SceneDesc& desc, FlatScene& scene) {
   for (const LightDesc& l : desc.lights) scene.lights.push_back(light_flatten(l, scene));
-  scene.frame.light_count = static_cast<int>(scene.lights.size());
-  scene.frame.light_picks = picks_of(desc, scene.frame.light_count);
-  if (scene.frame.light_picks < scene.frame.light_count) shares_fill(scene);
+  shares_fill(scene);
+}
+
+int plan_light_picks(const SceneDesc& desc, const FlatScene& scene) {
+  const int lights = static_cast<int>(scene.lights.size()), wanted = desc.render.light_samples;
+  const int picks = wanted == LIGHT_SAMPLES_AUTO ? (lights <= LIGHTS_ENUMERATED ? lights : LIGHT_PICKS)
+                                                 : (wanted == 0 ? lights : std::min(wanted, lights));
+  if (picks > LIGHT_PICKS_MAX)
+    throw InputError(desc.file.string() + ": /render/light_samples: 0 asks all " + std::to_string(lights) +
+                     " lights at every point; at most " + std::to_string(LIGHT_PICKS_MAX) + " are allowed");
+  return picks;
 }
 
 }  // namespace brume

@@ -134,7 +134,6 @@ void flatten_materials(const SceneDesc& desc, LoadedScene& loaded, LoadedShapes&
     for (const MeshMaterial& m : mesh.mesh.materials)
       scene.materials.push_back(material_flatten(m, textures, scene.notes));
   }
-  scene.frame.material_count = static_cast<int>(scene.materials.size());
 }
 
 }  // namespace brume

@@ -1,4 +1,4 @@
-// Media: which method each uses, where its grid lies, its coefficients.
+// Media: where the grid of each lies, its coefficients.
 #include <algorithm>
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -13,63 +13,6 @@ namespace brume {
 
 namespace {
 
-bool density_is_constant(const DensityDesc& d) {
-  return d.type == "constant" || (d.type == "sphere" && d.of && d.of->type == "constant");
-}
-
-// What a method must fit for this medium: FITS_x bits, any of which will do.
-int medium_fits(const MediumDesc& m) {
-  return (m.interpolation == INTERPOLATION_NEAREST ? FITS_NEAREST : FITS_TRILINEAR) |
-         (density_is_constant(m.density) ? FITS_CONSTANT : 0);
-}
-
-std::string methods_that_fit(int fits) {
-  std::string names = "auto";
-  for (const FamilyRow& row : method_family())
-    if (method_fits(row.id) & fits) names += ", " + std::string(row.name);
-  return names;
-}
-
-int method_exact(const MediumDesc& m) {
-  if (m.density.type == "constant") return method_exact_of(FITS_CONSTANT);
-  return method_exact_of(m.interpolation == INTERPOLATION_NEAREST ? FITS_NEAREST : FITS_TRILINEAR);
-}
-
-std::string method_name(int method) { return std::string(family_name(method_family(), method)); }
-
-[[noreturn]] void refuse_method(const SceneDesc& desc, const std::string& place, int method, const MediumDesc& m) {
-  throw InputError(desc.file.string() + ": " + place + "/method: '" + method_name(method) + "' does not fit the " +
-                   std::string(family_name(interpolation_family(), m.interpolation)) + " density '" + m.density.type +
-                   "' of " + m.place + "; these do: " + methods_that_fit(medium_fits(m)));
-}
-
-// A method of the medium's own has to fit it; where that of the picture does not, the medium takes its exact one.
-int method_resolve(const SceneDesc& desc, const MediumDesc& m) {
-  const int wanted = m.method.value_or(desc.render.method);
-  if (wanted == METHOD_AUTO) return method_exact(m);
-  if (method_fits(wanted) & medium_fits(m)) return wanted;
-  if (m.method) refuse_method(desc, m.place, wanted, m);
-  return method_exact(m);
-}
-
-// The media that take another method than the picture asks for, in one line; refused where all do that have none of their own.
-void methods_tell(const SceneDesc& desc, const std::vector<LoadedMedium>& media, std::vector<std::string>& notes) {
-  if (desc.render.method == METHOD_AUTO) return;
-  std::string others;
-  const LoadedMedium* first = nullptr;
-  bool fits_one = false;
-  for (const LoadedMedium& m : media) {
-    if (m.desc->method) continue;
-    fits_one = fits_one || m.method == desc.render.method;
-    if (m.method == desc.render.method) continue;
-    if (!first) first = &m;
-    others += (others.empty() ? "" : ", ") + m.desc->place + " takes " + method_name(m.method);
-  }
-  if (!first) return;
-  if (!fits_one) refuse_method(desc, "/render", desc.render.method, *first->desc);
-  notes.push_back("/render/method: '" + method_name(desc.render.method) + "' does not fit all media: " + others);
-}
-
 double constant_value(const DensityDesc& d) { return d.of ? d.of->value : d.value; }
 
 dmat4 lattice_onto_bounds(const std::array<dvec3, 2>& bounds, const dvec3& size) {
@@ -81,34 +24,13 @@ dmat4 lattice_onto_bounds(const std::array<dvec3, 2>& bounds, const dvec3& size)
   return m;
 }
 
-// A grid of depths to the lights is for what scatters.
-void refuse_useless_light_grid(const SceneDesc& desc) {
-  const auto scatters = [](const MediumDesc& m) { return m.sigma_s != dvec3(0); };
-  if (desc.render.shadow != SHADOW_GRID || desc.media.empty() ||
-      std::any_of(desc.media.begin(), desc.media.end(), scatters))
-    return;
-  throw InputError(desc.file.string() + ": /render/shadow: 'grid' does not fit " + desc.media.front().place +
-                   ", nor any other medium: sigma_s is 0, no light is scattered; allowed: trace, auto");
-}
-
-// Collisions differ from run to run of a light ray: frozen into a grid their noise would be an error that no number of samples
-// mends.
-void refuse_tracked_light_grid(const SceneDesc& desc, int method) {
-  if (desc.render.shadow == SHADOW_GRID && method_draws(method) == DRAWS_COLLISIONS)
-    throw InputError(desc.file.string() + ": /render/shadow: 'grid' does not fit the method '" +
-                     std::string(family_name(method_family(), method)) +
-                     "', whose error only falls over many light rays; allowed with it: trace, auto");
-}
-
-LoadedMedium load_medium(const SceneDesc& desc, const std::shared_ptr<const MediumDesc>& medium,
-                         LoadedScene& loaded_scene, std::vector<std::string>& notes) {
-  const MediumDesc& m = *medium;
-  const int method = method_resolve(desc, m);
-  refuse_tracked_light_grid(desc, method);
-  LoadedMedium loaded{medium, method, m.step.value_or(desc.render.step), false, false, false, 0, nullptr, dmat4(1.0)};
+LoadedMedium load_medium(const SceneDesc& desc, const MediumRow& row, LoadedScene& loaded_scene,
+                         std::vector<std::string>& notes) {
+  const MediumDesc& m = *row.desc;
+  LoadedMedium loaded{row.desc, false, false, row.only_glows, 0, nullptr, dmat4(1.0)};
   const std::array<dvec3, 2> unit{dvec3(-1), dvec3(1)};
   const dmat4 transform = transform_matrix(m.transform);
-  if (loaded.method == METHOD_HOMOGENEOUS) {
+  if (method_resolve(desc, m) == METHOD_HOMOGENEOUS) {
     loaded.is_constant = true;
     loaded.sphere = m.density.type == "sphere";
     loaded.constant = constant_value(m.density);
@@ -137,13 +59,6 @@ double longest_side(const LoadedMedium& m) {
   for (int axis = 0; axis < 3; ++axis)
     longest = std::max(longest, glm::length(dvec3(m.world_from_lattice[axis])) * size[axis]);
   return longest;
-}
-
-// The rate at which trackers collide, per density: the largest extinction. A medium that only glows has none: eight collisions on
-// the longest way (flat units) through its densest part then, else its light would never be sampled.
-double track_sigma_of(const MediumBody& m, double longest, float density_max) {
-  const double largest = std::max({m.sigma_a.x + m.sigma_s.x, m.sigma_a.y + m.sigma_s.y, m.sigma_a.z + m.sigma_s.z});
-  return largest > 0 || !(density_max > 0) ? largest : 8 / (longest * density_max);
 }
 
 // A density in the flat scene, before it stands anywhere: a grid, or one value.
@@ -217,33 +132,14 @@ void medium_flatten(const LoadedMedium& loaded, FlatGrids& grids, FlatScene& sce
   const FlatDensity density = known != grids.end() ? known->second : density_flatten(loaded, scene);
   if (!loaded.is_constant) grids[key] = density;
   scene.media.push_back(body_flatten(loaded, density_place(density, loaded, scene), scene.unit * density.unit));
-  const double longest = longest_side(loaded) / scene.unit;
-  MediumWalk walk{loaded.method, static_cast<float>(loaded.step * longest), 0, -1};
-  if (!loaded.is_constant)
-    walk.track_sigma = static_cast<float>(track_sigma_of(scene.media.back(), longest, density.largest));
-  scene.walks.push_back(walk);
+  scene.sizes.push_back({loaded.desc->place, longest_side(loaded) / scene.unit, density.largest});
 }
 
 }  // namespace
 
 std::vector<LoadedMedium> load_media(const SceneDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes) {
-  refuse_useless_light_grid(desc);
   std::vector<LoadedMedium> media;
-  for (const MediumDesc& m : desc.media) {
-    auto body = std::make_shared<MediumDesc>(m);
-    if (m.emission_density) {  // a medium of its own that only glows
-      auto glow = std::make_shared<MediumDesc>(m);
-      glow->density = *m.emission_density;
-      glow->place += "/emission_density";
-      if (m.method && *m.method != METHOD_AUTO && !(method_fits(*m.method) & medium_fits(*glow)))
-        glow->method = METHOD_AUTO;  // it is said for the density
-      glow->sigma_a = glow->sigma_s = body->emission = dvec3(0);
-      media.push_back(load_medium(desc, glow, loaded, notes));
-      media.back().only_glows = true;
-    }
-    media.push_back(load_medium(desc, body, loaded, notes));
-  }
-  methods_tell(desc, media, notes);
+  for (const MediumRow& row : media_rows(desc)) media.push_back(load_medium(desc, row, loaded, notes));
   return media;
 }
 
@@ -255,22 +151,14 @@ void medium_bounds_add(const LoadedMedium& m, Bounds& bounds) {
                                dvec3(corner & 1 ? hi.x : lo.x, corner & 2 ? hi.y : lo.y, corner & 4 ? hi.z : lo.z)));
 }
 
-void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media, FlatScene& scene) {
+void flatten_media(const std::vector<LoadedMedium>& media, FlatScene& scene) {
   FlatGrids grids;
-  for (const LoadedMedium& m : media) {
-    medium_flatten(m, grids, scene);
-    scene.walks.back().light_grids = light_grids_append(desc, scene.medium(scene.media.size() - 1), scene);
-    scene.places.push_back(m.desc->place);
-  }
-  voxels_pack(scene, desc.render.storage);
+  for (const LoadedMedium& m : media) medium_flatten(m, grids, scene);
   const auto grey = [](const MediumBody& m) {
     const float x = m.sigma_a.x + m.sigma_s.x, y = m.sigma_a.y + m.sigma_s.y, z = m.sigma_a.z + m.sigma_s.z;
     return x == y && y == z;
   };
   scene.color_tau = !std::all_of(scene.media.begin(), scene.media.end(), grey);
-  for (const MediumWalk& walk : scene.walks) scene.draws |= 1u << method_draws(walk.method);
-  scene.frame.takes_ends = !((scene.draws >> DRAWS_COLLISIONS) & 1u);
-  scene.frame.medium_count = static_cast<int>(scene.media.size());
 }
 
 }  // namespace brume

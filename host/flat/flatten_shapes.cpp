@@ -179,8 +179,6 @@ void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene) {
   scene.bvh_links = std::move(bvh.links);
   scene.bvh_blocks = std::move(bvh.blocks);
   scene.bvh_ids = std::move(bvh.ids);
-  scene.frame.shape_count = static_cast<int>(scene.shapes.size());
-  scene.frame.triangle_count = static_cast<int>(scene.triangles.size());
 }
 
 }  // namespace brume

@@ -14,9 +14,9 @@ namespace {
 using glm::ivec3;
 
 // A grid pays where a ray to the light is a walk through voxels.
-bool wants_light_grids(const SceneDesc& desc, const Medium& m, const FlatScene& scene) {
-  const bool chosen =
-      !scene.light_shares.empty();  // each point other lights: a grid for every light is what choosing spares
+bool wants_light_grids(const SceneDesc& desc, const Medium& m, const RenderPlan& plan) {
+  // Where lights are chosen, a grid for every light is what choosing spares.
+  const bool chosen = plan.frame.light_picks < plan.frame.light_count;
   const bool scatters = std::max({m.sigma_s.x, m.sigma_s.y, m.sigma_s.z}) > 0;
   return desc.render.shadow == SHADOW_GRID && !m.is_constant && !desc.lights.empty() && scatters && !chosen;
 }
@@ -105,24 +105,24 @@ LightGrid grid_along(const Lattice& lattice, const dvec3& travel) {
 
 }  // namespace
 
-int light_grids_append(const SceneDesc& desc, const Medium& medium, FlatScene& scene) {
-  if (!wants_light_grids(desc, medium, scene)) return -1;
+int light_grids_append(const SceneDesc& desc, const Medium& medium, const FlatScene& scene, RenderPlan& plan) {
+  if (!wants_light_grids(desc, medium, plan)) return -1;
   const Lattice lattice = lattice_of(medium, desc.render.light_grid);
   const dmat4 cell_from_world = matrix(medium.cell_from_world);
-  const int first = static_cast<int>(scene.light_grids.size());
+  const int first = static_cast<int>(plan.light_grids.size());
   for (const Light& light : scene.lights) {
     const dvec3 travel(light.direction.x, light.direction.y, light.direction.z);
     LightGrid grid = light.type == LIGHT_DIRECTIONAL ? grid_along(lattice, transform_dir(cell_from_world, travel))
                                                      : grid_upright(lattice);
-    grid.offset = static_cast<int>(scene.light_entries);
-    scene.light_entries += static_cast<std::int64_t>(grid.nu) * grid.nv * grid.nk;
+    grid.offset = static_cast<int>(plan.light_entries);
+    plan.light_entries += static_cast<std::int64_t>(grid.nu) * grid.nv * grid.nk;
     constexpr std::int64_t ENTRIES_MAX = 0x7fffffff / 3;  // kernels count all channels in an int
-    if (scene.light_entries > ENTRIES_MAX)
+    if (plan.light_entries > ENTRIES_MAX)
       throw InputError(desc.file.string() + ": /render/light_grid: " + std::to_string(desc.render.light_grid) +
-                       " makes " + std::to_string(scene.light_entries) +
+                       " makes " + std::to_string(plan.light_entries) +
                        " entries or more over all media and lights; at most " + std::to_string(ENTRIES_MAX) +
                        " are allowed");
-    scene.light_grids.push_back(grid);
+    plan.light_grids.push_back(grid);
   }
   return first;
 }

@@ -1,6 +1,7 @@
 // See loaded_scene.hpp.
 #include "load/loaded_scene.hpp"
 
+#include "base/file_read.hpp"
 #include "volume/density_source.hpp"
 
 namespace brume {
@@ -20,10 +21,6 @@ DensitySpec density_spec(const DensityDesc& d) {
   spec.values = {d.level_set == LEVEL_SET_FILL, d.threshold, d.remap, d.factor, d.negative == NEGATIVE_CLAMP};
   if (d.of) spec.of = std::make_shared<DensitySpec>(density_spec(*d.of));
   return spec;
-}
-
-std::string file_key(const std::filesystem::path& file) {
-  return std::filesystem::absolute(file).lexically_normal().string();
 }
 
 // What `known` has under the key, else what `load` makes.

@@ -19,9 +19,9 @@ double spot_share(const Light& light, const dvec3& travel) {
 
 }  // namespace
 
-std::vector<LightPick> light_picks(const FlatScene& scene, const RandomStream& random, uint n, bool all) {
+std::vector<LightPick> light_picks(const PlannedScene& scene, const RandomStream& random, uint n, bool all) {
   std::vector<LightPick> picks;
-  if (scene.light_shares.empty() || all) {
+  if (all || scene.frame.light_picks == static_cast<int>(scene.lights.size())) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) picks.push_back({i, 1});
     return picks;
   }

@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 #include "reference/random.hpp"
 #include "reference/vec.hpp"
 #include "shared/light.h"
@@ -22,7 +22,7 @@ struct LightPick {
   std::size_t light;
   double weight;
 };
-std::vector<LightPick> light_picks(const FlatScene& scene, const RandomStream& random, uint n, bool all = false);
+std::vector<LightPick> light_picks(const PlannedScene& scene, const RandomStream& random, uint n, bool all = false);
 
 // At the very position of a point or spot light there is no direction: E is 0 there.
 LightSample light_at(const Light& light, const dvec3& point);

@@ -87,7 +87,7 @@ LightDepths light_grids_make(const Context& context, const Medium& medium) {
   return depths;
 }
 
-const LightGrid& light_grid_of(const FlatScene& scene, const Medium& medium, std::size_t light) {
+const LightGrid& light_grid_of(const PlannedScene& scene, const Medium& medium, std::size_t light) {
   return scene.light_grids.at(static_cast<std::size_t>(medium.light_grids) + light);
 }
 

@@ -10,7 +10,7 @@
 namespace brume::reference {
 namespace {
 
-Medium medium_of(const FlatScene& scene, int index) { return scene.medium(static_cast<std::size_t>(index)); }
+Medium medium_of(const PlannedScene& scene, int index) { return scene.medium(static_cast<std::size_t>(index)); }
 
 Interval box_interval(const dvec3& lo, const dvec3& hi, const RayD& ray, Interval span) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -37,7 +37,7 @@ Interval ellipsoid_interval(const dvec3& lo, const dvec3& hi, const RayD& ray, I
 }
 
 // Samples of one cell's brick, or nullptr where the brick is empty.
-const float* brick_of(const FlatScene& scene, const Medium& medium, const ivec3& cell) {
+const float* brick_of(const PlannedScene& scene, const Medium& medium, const ivec3& cell) {
   const ivec3 brick = cell / BRICK_CELLS;
   const int index = (brick.z * medium.brick_ny + brick.y) * medium.brick_nx + brick.x;
   const int entry = scene.bricks[static_cast<std::size_t>(medium.brick_offset) + static_cast<std::size_t>(index)];
@@ -69,7 +69,7 @@ static_assert(RULE_COUNT == 5 && PLACEMENT_COUNT == 3, "dda_rule, march_visit an
 static_assert(INTERPOLATION_COUNT == 2, "density_in_cell knows all");
 
 // ∫ρ over a segment within one cell.
-double dda_rule(const FlatScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment, int rule) {
+double dda_rule(const PlannedScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment, int rule) {
   const double length = segment.t_end - segment.t_begin, middle = segment.middle();
   const auto density = [&](double t) { return density_in_cell(scene, medium, segment.cell, ray.at(t)); };
   const double apart = length / (2 * std::sqrt(3.0));
@@ -97,7 +97,7 @@ double march_share(int method, const RandomStream& random, uint i) {
 }
 
 template <class Visit>
-void dda_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, const Interval& span, int method,
+void dda_visit(const PlannedScene& scene, const Medium& medium, const RayD& ray, const Interval& span, int method,
                Visit visit) {
   const std::vector<double> crossings = cell_crossings(ray, span.t0, span.t1);
   for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
@@ -111,7 +111,7 @@ void dda_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, co
 }
 
 template <class Visit>
-void march_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, const Interval& span, int method,
+void march_visit(const PlannedScene& scene, const Medium& medium, const RayD& ray, const Interval& span, int method,
                  const RandomStream& random, Visit visit) {
   const double length = span.t1 - span.t0;
   const double count = std::max(1.0, std::ceil(length / medium.step - 1.0 / 1024));
@@ -128,8 +128,8 @@ void march_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, 
 
 // Calls visit(segment) from front to back.
 template <class Visit>
-void segments_visit(const FlatScene& scene, const Medium& medium, const RayD& world, const Interval& span, int method,
-                    const RandomStream& random, Visit visit) {
+void segments_visit(const PlannedScene& scene, const Medium& medium, const RayD& world, const Interval& span,
+                    int method, const RandomStream& random, Visit visit) {
   if (span.empty()) return;
   const RayD ray = ray_to_cells(medium, world);
   if (method_placement(method) == PLACEMENT_STEPS)
@@ -158,7 +158,7 @@ ivec3 cell_at(const Medium& medium, const dvec3& p) {
   return ivec3(glm::clamp(glm::floor(p), first, last));
 }
 
-double density_in_cell(const FlatScene& scene, const Medium& medium, const ivec3& cell, const dvec3& p) {
+double density_in_cell(const PlannedScene& scene, const Medium& medium, const ivec3& cell, const dvec3& p) {
   if (medium.is_constant) return medium.constant_density;
   const float* samples = brick_of(scene, medium, cell);
   if (!samples) return 0;
@@ -176,12 +176,12 @@ double density_in_cell(const FlatScene& scene, const Medium& medium, const ivec3
   return front * (1 - w.z) + back * w.z;
 }
 
-double density_at(const FlatScene& scene, const Medium& medium, const dvec3& p) {
+double density_at(const PlannedScene& scene, const Medium& medium, const dvec3& p) {
   const dvec3 inside = glm::clamp(p, vec_promote(medium.lo), vec_promote(medium.hi));
   return density_in_cell(scene, medium, cell_at(medium, inside), inside);
 }
 
-std::vector<SegmentD> segments(const FlatScene& scene, int medium, const RayD& ray, double t0, double t1, int method,
+std::vector<SegmentD> segments(const PlannedScene& scene, int medium, const RayD& ray, double t0, double t1, int method,
                                const RandomStream& random) {
   std::vector<SegmentD> found;
   const Medium m = medium_of(scene, medium);
@@ -190,7 +190,7 @@ std::vector<SegmentD> segments(const FlatScene& scene, int medium, const RayD& r
   return found;
 }
 
-double optical_depth(const FlatScene& scene, int medium, const RayD& ray, double t_max, int method, double* lookups,
+double optical_depth(const PlannedScene& scene, int medium, const RayD& ray, double t_max, int method, double* lookups,
                      const RandomStream& random) {
   const Medium m = medium_of(scene, medium);
   const Interval span = medium_interval(m, ray, 0, t_max);
@@ -205,7 +205,8 @@ double optical_depth(const FlatScene& scene, int medium, const RayD& ray, double
   return depth;
 }
 
-double density_length_gauss2(const FlatScene& scene, const Medium& medium, const RayD& world, const SegmentD& segment) {
+double density_length_gauss2(const PlannedScene& scene, const Medium& medium, const RayD& world,
+                             const SegmentD& segment) {
   return dda_rule(scene, medium, ray_to_cells(medium, world), segment, RULE_GAUSS2);
 }
 

@@ -24,7 +24,7 @@ struct Lit {
 
 Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& view_dir, const RandomStream& random,
                   double& lookups) {
-  const FlatScene& scene = context.scene;
+  const PlannedScene& scene = context.scene;
   const Material& material = scene.materials[static_cast<std::size_t>(surface.material)];
   Lit lit{surface.emission + vec_promote(material.ambient) * vec_promote(scene.frame.ambient)};
   uint n = 0;
@@ -146,7 +146,7 @@ void specular_add(const Context& context, const SurfaceD& surface, const RayD& r
 
 PixelD path_render(const Context& context, const RayD& ray, const PathState& path) {
   const RandomStream& random = path.random;
-  const FlatScene& scene = context.scene;
+  const PlannedScene& scene = context.scene;
   const HitD hit = nearest_hit(scene, context.bounds, ray);
   const Scattered media = media_scatter(context, ray, hit.t, random);
 
@@ -176,7 +176,7 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
 }
 
 // Planes have no bounds: a camera ray that begins behind some begins anew before the first of them.
-FrameRayD start_before_planes(const FlatScene& scene, const FrameRayD& from) {
+FrameRayD start_before_planes(const PlannedScene& scene, const FrameRayD& from) {
   double back = 0;
   for (const Shape& shape : scene.shapes) {
     if (shape.type != SHAPE_PLANE) continue;
@@ -219,7 +219,7 @@ PixelD pixel_render(const Context& context, int x, int y, const std::function<Ra
   return sum;
 }
 
-void render(const FlatScene& scene, Film& film, const Options& options) {
+void render(const PlannedScene& scene, Film& film, const Options& options) {
   const Frame& frame = scene.frame;
   const int width = frame.camera.width, height = frame.camera.height;
   if (film.size().x != width || film.size().y != height)

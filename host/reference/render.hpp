@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "film/film.hpp"
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 #include "reference/scatter.hpp"
 
 namespace brume::reference {
@@ -25,6 +25,6 @@ PixelD pixel_render(const Context& context, int x, int y, const std::function<Ra
 
 // Renders the crop of scene.frame and overwrites those pixels; FilmPixel::shadow_rays, a statistic of devices, stays 0.
 // The film must have the size of the camera, else RuntimeError.
-void render(const FlatScene& scene, Film& film, const Options& options = {});
+void render(const PlannedScene& scene, Film& film, const Options& options = {});
 
 }  // namespace brume::reference

@@ -16,7 +16,7 @@ namespace {
 
 dvec3 each_channel(double (*function)(double), const dvec3& v) { return {function(v.x), function(v.y), function(v.z)}; }
 
-std::vector<Medium> media_of(const FlatScene& flat) {
+std::vector<Medium> media_of(const PlannedScene& flat) {
   std::vector<Medium> media;
   for (std::size_t i = 0; i < flat.media.size(); ++i) media.push_back(flat.medium(i));
   return media;
@@ -69,7 +69,7 @@ dvec3 media_tau(const Context& context, const RayD& ray, double t_max, const Ran
   return media_tau_beside(context, -1, ray, t_max, random, lookups);
 }
 
-Context::Context(const FlatScene& flat, const Options& options)
+Context::Context(const PlannedScene& flat, const Options& options)
     : scene(flat), media(media_of(flat)), bounds(flat), nodes(gauss_legendre(options.scatter_order)) {
   for (const Medium& medium : media)
     light_depths.push_back(medium.light_grids >= 0 && !exact() ? light_grids_make(*this, medium) : LightDepths{});

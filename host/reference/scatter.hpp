@@ -25,9 +25,9 @@ struct LightDepths {
 
 // What all samples share.
 struct Context {
-  Context(const FlatScene& flat, const Options& options);
+  Context(const PlannedScene& flat, const Options& options);
 
-  const FlatScene& scene;
+  const PlannedScene& scene;
   std::vector<Medium> media;  // its media with everything about them
   TriangleBounds bounds;
   std::vector<QuadratureNode> nodes;      // empty for the segment rule

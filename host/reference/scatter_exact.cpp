@@ -16,9 +16,9 @@ struct Piece {
   RayD ray;  // in the medium's cell space
   ivec3 cell;
 
-  double density(const FlatScene& scene, double t) const { return density_in_cell(scene, *medium, cell, ray.at(t)); }
+  double density(const PlannedScene& scene, double t) const { return density_in_cell(scene, *medium, cell, ray.at(t)); }
   // ∫ρ over [a, b]: 2-point Gauss is exact for the cubic of a trilinear cell
-  double density_length(const FlatScene& scene, double a, double b) const {
+  double density_length(const PlannedScene& scene, double a, double b) const {
     const double middle = 0.5 * (a + b), apart = (b - a) / (2 * std::sqrt(3.0));
     return (b - a) / 2 * (density(scene, middle - apart) + density(scene, middle + apart));
   }

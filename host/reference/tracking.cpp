@@ -29,7 +29,7 @@ struct Range {
   double min, max;
 };
 
-Range range_at(const FlatScene& scene, const Medium& medium, const dvec3& cell_position) {
+Range range_at(const PlannedScene& scene, const Medium& medium, const dvec3& cell_position) {
   const ivec3 brick = cell_at(medium, cell_position) / BRICK_CELLS;
   const auto index = static_cast<std::size_t>(medium.brick_offset) +
                      (static_cast<std::size_t>(brick.z) * static_cast<std::size_t>(medium.brick_ny) +
@@ -41,7 +41,7 @@ Range range_at(const FlatScene& scene, const Medium& medium, const dvec3& cell_p
 
 }  // namespace
 
-void collisions_visit(const FlatScene& scene, const Medium& medium, const RayD& world, const Interval& span,
+void collisions_visit(const PlannedScene& scene, const Medium& medium, const RayD& world, const Interval& span,
                       const RandomStream& random, int method, bool only_tau,
                       const std::function<bool(const CollisionD&)>& visit) {
   if (span.empty()) return;

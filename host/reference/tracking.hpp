@@ -17,7 +17,7 @@ struct CollisionD {
 
 // Calls visit(collision) from front to back until it returns false. only_tau: collisions are needed only for what exceeds the
 // lower bounds.
-void collisions_visit(const FlatScene& scene, const Medium& medium, const RayD& world, const Interval& span,
+void collisions_visit(const PlannedScene& scene, const Medium& medium, const RayD& world, const Interval& span,
                       const RandomStream& random, int method, bool only_tau,
                       const std::function<bool(const CollisionD&)>& visit);
 

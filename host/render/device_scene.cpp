@@ -3,32 +3,23 @@
 
 #include <type_traits>
 
+#include "base/stopwatch.hpp"
+
 namespace brume {
 
 namespace {
 
 // Trackers take their rates from the ranges, bytes their scale.
-bool reads_ranges(const FlatScene& s) { return (s.draws >> DRAWS_COLLISIONS) & 1u || s.storage == STORAGE_U8; }
-
-// What fills a buffer: of `data` null nothing does.
-struct Contents {
-  std::size_t bytes;
-  const void* data;
-};
+bool reads_ranges(const RenderPlan& plan) {
+  return (plan.draws >> DRAWS_COLLISIONS) & 1u || plan.storage == STORAGE_U8;
+}
 
 template <class T>
-Contents contents(const std::vector<T>& values) {
-  return {values.size() * sizeof(T), values.data()};
+cl::Buffer upload(Context& context, const char* what, const std::vector<T>& values) {
+  return context.buffer(what, values);
 }
-Contents contents(const Frame& frame) { return {sizeof frame, &frame}; }
-
-Contents stored_voxels(const FlatScene& s) { return s.packed.empty() ? contents(s.voxels) : contents(s.packed); }
-Contents stored_brick_ranges(const FlatScene& s) {
-  return reads_ranges(s) ? contents(s.brick_ranges) : Contents{0, nullptr};
-}
-
-Contents scratch_light_entries(const FlatScene& s, int tau_channels) {
-  return {static_cast<std::size_t>(s.light_entries * tau_channels) * sizeof(float), nullptr};
+cl::Buffer upload(Context& context, const char* what, const Frame& frame) {
+  return context.buffer(what, sizeof frame, &frame);
 }
 
 template <class Member>
@@ -42,28 +33,76 @@ struct Element<std::vector<T>> {
 
 // Kernels and host mean the same elements.
 #define ASSERT_FLAT(type, member) static_assert(std::is_same_v<Element<decltype(FlatScene::member)>::Type, type>);
+#define ASSERT_PLAN(type, member) static_assert(std::is_same_v<Element<decltype(RenderPlan::member)>::Type, type>);
 #define ASSERT_STORED(type, member)
 #define ASSERT_SCRATCH(type, member)
 #define ROW(space, type, name, kind, member, what) ASSERT_##kind(type, member)
 BRUME_SCENE_BUFFERS(ROW, )
 #undef ROW
 
-}  // namespace
-
-DeviceScene::DeviceScene(Context& context, const FlatScene& s, int tau_channels){
-#define FLAT_CONTENTS(member) contents(s.member)
-#define STORED_CONTENTS(member) stored_##member(s)
-#define SCRATCH_CONTENTS(member) scratch_##member(s, tau_channels)
-#define ROW(space, type, name, kind, member, what)                                                           \
-  {                                                                                                          \
-    const Contents filled = kind##_CONTENTS(member);                                                         \
-    buffers_[static_cast<std::size_t>(SceneBuffer::name)] = context.buffer(what, filled.bytes, filled.data); \
-  }
+constexpr const char* BUFFER_NAMES[] = {
+#define ROW(space, type, name, kind, member, what) what,
     BRUME_SCENE_BUFFERS(ROW, )
 #undef ROW
+};
+const char* name_of(SceneBuffer buffer) { return BUFFER_NAMES[static_cast<std::size_t>(buffer)]; }
+
+cl::Buffer& at(SceneBuffers& buffers, SceneBuffer buffer) { return buffers[static_cast<std::size_t>(buffer)]; }
+
+}  // namespace
+
+DeviceScene::DeviceScene(Context& context, const FlatScene& scene) : context_(context), flat_(scene) {
+  const Stopwatch watch;
+#define UPLOAD_FLAT(name, member, what) at(buffers_, SceneBuffer::name) = upload(context, what, scene.member);
+#define UPLOAD_PLAN(name, member, what)
+#define UPLOAD_STORED(name, member, what)
+#define UPLOAD_SCRATCH(name, member, what)
+#define ROW(space, type, name, kind, member, what) UPLOAD_##kind(name, member, what)
+  BRUME_SCENE_BUFFERS(ROW, )
+#undef ROW
+#undef UPLOAD_FLAT
+#undef UPLOAD_PLAN
+  upload_seconds_ = watch.seconds();
 }
 
-cl_uint DeviceScene::set_arguments(cl::Kernel& kernel) const {
+DeviceScene::Stored& DeviceScene::stored(const RenderPlan& plan) {
+  Stored& stored = stored_[plan.storage];
+  const bool packs = plan.storage != STORAGE_F32 && !flat_.voxels.empty();
+  if (packs && !stored.host) {
+    std::vector<float> voxels = plan.stored ? std::vector<float>{} : flat_.voxels;
+    stored.host =
+        plan.stored ? plan.stored : std::make_shared<const StoredVoxels>(voxels_store(flat_, plan.storage, voxels));
+  }
+  if (!stored.voxels())
+    stored.voxels = packs ? upload(context_, name_of(SceneBuffer::voxels), stored.host->packed)
+                          : upload(context_, name_of(SceneBuffer::voxels), flat_.voxels);
+  if (reads_ranges(plan) && !stored.ranges())
+    stored.ranges = upload(context_, name_of(SceneBuffer::ranges), packs ? stored.host->ranges : flat_.brick_ranges);
+  return stored;
+}
+
+SceneBuffers DeviceScene::buffers(const RenderPlan& plan) {
+  const Stored& its = stored(plan);
+  SceneBuffers all = buffers_;
+  at(all, SceneBuffer::voxels) = its.voxels;
+  at(all, SceneBuffer::ranges) =
+      its.ranges() ? its.ranges : upload(context_, name_of(SceneBuffer::ranges), std::vector<float>{});
+  return all;
+}
+
+DevicePlan::DevicePlan(Context& context, DeviceScene& scene, const RenderPlan& plan, int tau_channels)
+    : buffers_(scene.buffers(plan)) {
+#define UPLOAD_FLAT(name, member, what)
+#define UPLOAD_PLAN(name, member, what) at(buffers_, SceneBuffer::name) = upload(context, what, plan.member);
+#define ROW(space, type, name, kind, member, what) UPLOAD_##kind(name, member, what)
+  BRUME_SCENE_BUFFERS(ROW, )
+#undef ROW
+  at(buffers_, SceneBuffer::light_tau) =
+      context.buffer(name_of(SceneBuffer::light_tau),
+                     static_cast<std::size_t>(plan.light_entries * tau_channels) * sizeof(float), nullptr);
+}
+
+cl_uint DevicePlan::set_arguments(cl::Kernel& kernel) const {
   cl_uint argument = 0;
   for (const cl::Buffer& buffer : buffers_) kernel.setArg(argument++, buffer);
   return argument;

@@ -41,18 +41,19 @@ double event_seconds(const cl::Event& event) {
 
 }  // namespace
 
-Passes::Passes(Context& context, const FlatScene& scene, const std::string& options, int tau_channels,
-               std::size_t batch_rays, std::size_t film_pixels)
+Passes::Passes(Context& context, std::shared_ptr<DeviceScene> device_scene, const RenderPlan& plan,
+               const std::string& options, int tau_channels, std::size_t batch_rays, std::size_t film_pixels)
     : context_(context),
-      scene_(context, scene, tau_channels),
-      has_surfaces_(!scene.shapes.empty() || !scene.triangles.empty()),
-      has_specular_(has_surfaces_ && scene.frame.max_depth > 0 && scene_is_specular(scene)),
+      device_scene_(std::move(device_scene)),
+      scene_(context, *device_scene_, plan, tau_channels),
+      has_surfaces_(!device_scene_->flat().shapes.empty() || !device_scene_->flat().triangles.empty()),
+      has_specular_(has_surfaces_ && plan.frame.max_depth > 0 && scene_is_specular(device_scene_->flat())),
       film_pixels_(film_pixels),
       group_(std::min(context.device().cpu ? GROUP_CPU : GROUP_GPU, context.device().max_group)) {
   static_assert(std::size(PASSES) == PASS_COUNT, "one row per pass");
   for (const PassRow& pass : PASSES) stats_.push_back({pass.name, 0, 0});
   create_buffers(batch_rays);
-  plan_light_grids(scene);
+  plan_light_grids(device_scene_->flat(), plan);
   upload_seconds_ = watch_.lap();
   create_kernels(options);
   build_seconds_ = watch_.lap();
@@ -64,10 +65,10 @@ bool Passes::runs(Id id) const {
   return id != SECONDARY_RAYS || has_specular_;
 }
 
-void Passes::plan_light_grids(const FlatScene& scene) {
+void Passes::plan_light_grids(const FlatScene& scene, const RenderPlan& plan) {
   for (std::size_t m = 0; m < scene.media.size(); ++m)
-    for (std::size_t l = 0; scene.walks[m].light_grids >= 0 && l < scene.lights.size(); ++l) {
-      const LightGrid& grid = scene.light_grids[static_cast<std::size_t>(scene.walks[m].light_grids) + l];
+    for (std::size_t l = 0; plan.walks[m].light_grids >= 0 && l < scene.lights.size(); ++l) {
+      const LightGrid& grid = plan.light_grids[static_cast<std::size_t>(plan.walks[m].light_grids) + l];
       const int items = grid.columns_u * grid.columns_v * (grid.reach > 0 ? 1 : grid.nk);
       light_grids_.push_back({static_cast<cl_int>(m), static_cast<cl_int>(l), 0, static_cast<cl_uint>(items)});
     }

@@ -2,11 +2,12 @@
 #pragma once
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "base/stopwatch.hpp"
 #include "cl/context.hpp"
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 #include "render/device_scene.hpp"
 #include "render/renderer.hpp"
 
@@ -21,11 +22,12 @@ struct Batch {
 class Passes {
  public:
   // options: of kernel_options(), which `tau_channels` must fit.
-  Passes(Context& context, const FlatScene& scene, const std::string& options, int tau_channels, std::size_t batch_rays,
-         std::size_t film_pixels);
+  Passes(Context& context, std::shared_ptr<DeviceScene> device_scene, const RenderPlan& plan,
+         const std::string& options, int tau_channels, std::size_t batch_rays, std::size_t film_pixels);
 
   double build_seconds() const { return build_seconds_; }
   double upload_seconds() const { return upload_seconds_; }
+  double scene_upload_seconds() const { return device_scene_->upload_seconds(); }
 
   // Fills the light grids, if there are any, piece by piece while go_on(items done) holds.
   void fill_light_grids(const std::function<bool(double)>& go_on);
@@ -55,7 +57,7 @@ class Passes {
   };
   bool runs(Id id) const;
   void create_kernels(const std::string& options);
-  void plan_light_grids(const FlatScene& scene);
+  void plan_light_grids(const FlatScene& scene, const RenderPlan& plan);
   void create_buffers(std::size_t batch_rays);
   template <class... Values>
   void enqueue(Id id, std::size_t items, const Values&... values);
@@ -74,7 +76,8 @@ class Passes {
 
   Context& context_;
   Stopwatch watch_;  // laps over construction
-  DeviceScene scene_;
+  std::shared_ptr<DeviceScene> device_scene_;
+  DevicePlan scene_;
   double upload_seconds_ = 0, build_seconds_ = 0;
   bool has_surfaces_, has_specular_;
   std::size_t film_pixels_, wave_rays_ = 0;

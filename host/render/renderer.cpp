@@ -6,6 +6,7 @@
 #include "base/foreign_lines.hpp"
 #include "base/stopwatch.hpp"
 #include "cl/driver_guard.hpp"
+#include "render/device_scene.hpp"
 #include "render/kernel_options.hpp"
 #include "render/pace.hpp"
 #include "render/passes.hpp"
@@ -33,6 +34,14 @@ void film_finish(Film& film, const Frame& frame, double unit, RenderStats& stats
     }
 }
 
+std::shared_ptr<DeviceScene> device_scene_make(Context& context, const FlatScene& scene) {
+  const DriverGuard guard;
+  const ForeignLines lines("the OpenCL driver");
+  return std::make_shared<DeviceScene>(context, scene);
+}
+
+std::size_t voxel_bytes(int storage) { return storage == STORAGE_F32 ? 4 : (storage == STORAGE_F16 ? 2 : 1); }
+
 }  // namespace
 
 int lanes_choose(const DeviceInfo& device, int wanted) { return wanted > 0 ? wanted : device.lanes(); }
@@ -56,11 +65,19 @@ struct Renderer::State {
   }
 };
 
-Renderer::Renderer(Context& context, const FlatScene& scene, const RenderOptions& options) : state_(new State) {
+Renderer::Renderer(Context& context, const PlannedScene& scene, const RenderOptions& options)
+    : Renderer(context, device_scene_make(context, scene), scene, options) {
+  state_->stats.upload_s += state_->passes->scene_upload_seconds();
+}
+
+Renderer::Renderer(Context& context, std::shared_ptr<DeviceScene> device_scene, const RenderPlan& plan,
+                   const RenderOptions& options)
+    : state_(new State) {
   const DriverGuard guard;
   const ForeignLines lines("the OpenCL driver");
   State& s = *state_;
-  s.frame = scene.frame;
+  const FlatScene& scene = device_scene->flat();
+  s.frame = plan.frame;
   s.unit = scene.unit;
   s.crop_pixels = static_cast<std::size_t>(s.frame.crop_x1 - s.frame.crop_x0) * (s.frame.crop_y1 - s.frame.crop_y0);
   const std::size_t wanted =
@@ -69,13 +86,14 @@ Renderer::Renderer(Context& context, const FlatScene& scene, const RenderOptions
   s.first_rays = context.device().cpu ? FIRST_CPU : FIRST_GPU;
   s.stats.lanes = lanes_choose(context.device(), options.lanes);
 
-  const std::string kernel = kernel_options(scene, context.device(), s.stats.lanes, options.generic);
+  const std::string kernel = kernel_options(scene, plan, context.device(), s.stats.lanes, options.generic);
   const int tau_channels = options.generic || scene.color_tau ? 3 : 1;
-  s.passes = std::make_unique<Passes>(context, scene, kernel, tau_channels, s.batch_rays, s.crop_pixels);
+  s.passes = std::make_unique<Passes>(context, std::move(device_scene), plan, kernel, tau_channels, s.batch_rays,
+                                      s.crop_pixels);
   s.stats.kernel_build_s = s.passes->build_seconds();
   s.stats.upload_s = s.passes->upload_seconds();
   s.stats.device_bytes = context.allocated_bytes();
-  s.stats.voxel_bytes = scene.packed.empty() ? scene.voxels.size() * sizeof(float) : scene.packed.size();
+  s.stats.voxel_bytes = scene.voxels.size() * voxel_bytes(plan.storage);
   s.stats.bvh_bytes = (scene.bvh_nodes.size() + scene.bvh_blocks.size()) * sizeof(float) +
                       (scene.bvh_links.size() + scene.bvh_ids.size()) * sizeof(std::int32_t);
 }

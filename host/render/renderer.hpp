@@ -7,9 +7,11 @@
 
 #include "cl/context.hpp"
 #include "film/film.hpp"
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 
 namespace brume {
+
+class DeviceScene;  // render/device_scene.hpp
 
 struct RenderOptions {
   int lanes = 0;         // 0: the device's own choice
@@ -40,7 +42,9 @@ using Progress = std::function<bool(double)>;
 class Renderer {
  public:
   // Builds and uploads. `scene.bvh_width` must suit the lanes (a multiple of them).
-  Renderer(Context& context, const FlatScene& scene, const RenderOptions& options);
+  Renderer(Context& context, const PlannedScene& scene, const RenderOptions& options);
+  // The same for one of several plans of a scene that was uploaded: only what the plan itself holds is uploaded.
+  Renderer(Context& context, std::shared_ptr<DeviceScene> scene, const RenderPlan& plan, const RenderOptions& options);
   ~Renderer();
 
   // Renders the crop of the frame. A film that was stopped early holds what was done (stats().primary_rays says how much, also while

@@ -44,7 +44,7 @@ void step_huge(StabilityRun& run) { run.compare(run.cube("", "", R"("step": 10)"
 void step_tiny(StabilityRun& run) {
   StabilityRays rays;
   rays.through({0.1, 0.2, 0.3}, {0.3, 0.2, 1});
-  FlatScene scene = run.cube("", "", R"("step": 1e-5)");
+  PlannedScene scene = run.cube("", "", R"("step": 1e-5)");
   scene.lights.clear();
   scene.frame.light_count = scene.frame.light_picks = 0;
   run.compare(scene, rays, 2e-3, true);
@@ -53,8 +53,9 @@ void step_tiny(StabilityRun& run) {
 // τ from 1e-6 to 1e6 of a medium that glows as much as it absorbs: what it sends is 1 - T, whatever its density. The
 // segment rule stays within [0, 1]; the rectangle rule is seen to over- and undershoot.
 void depth_range(StabilityRun& run, const char* rule, bool bounded) {
-  FlatScene scene = run.cube(run.method() == METHOD_HOMOGENEOUS ? "" : R"({"type": "linear", "resolution": [8, 8, 8]})",
-                             "", std::string(R"("in_scattering": ")") + rule + "\"");
+  PlannedScene scene =
+      run.cube(run.method() == METHOD_HOMOGENEOUS ? "" : R"({"type": "linear", "resolution": [8, 8, 8]})", "",
+               std::string(R"("in_scattering": ")") + rule + "\"");
   scene.lights.clear();
   scene.frame.light_count = scene.frame.light_picks = 0;
   scene.frame.background = {0, 0, 0};
@@ -104,7 +105,7 @@ void phase_limits(StabilityRun& run) {
 
 // One voxel of 1e4 in a field of about 1.
 void hot_voxel(StabilityRun& run) {
-  FlatScene scene = run.cube(R"({"type": "perlin", "resolution": [16, 16, 16], "scale": 2, "seed": 3})");
+  PlannedScene scene = run.cube(R"({"type": "perlin", "resolution": [16, 16, 16], "scale": 2, "seed": 3})");
   const std::size_t sample = (4 * BRICK_SAMPLES + 4) * BRICK_SAMPLES + 4;  // in the first brick, shared with none
   scene.voxels[sample] = 1e4f;
   scene.brick_ranges[1] = 1e4f;
@@ -116,7 +117,7 @@ void hot_voxel(StabilityRun& run) {
 
 // 2048 x 1024 x 1024 cells, of which one brick is stored: offsets beyond 2^31.
 void huge_grid(StabilityRun& run) {
-  FlatScene scene = run.cube();
+  PlannedScene scene = run.cube();
   scene.grids[0] = {0, 2048, 1024, 1024, 256, 128, 128};
   PlacedGrid& m = scene.placed[0];
   m.lo = {0, 0, 0};

@@ -48,7 +48,8 @@ bool StabilityRun::tracks() const { return method_tracks(method_); }
 bool StabilityRun::steps() const { return method_has_step(method_) && method_ != METHOD_HOMOGENEOUS; }
 bool StabilityRun::exact() const { return !tracks() && !steps() && method_ != METHOD_DDA_MIDPOINT; }
 
-FlatScene StabilityRun::cube(const std::string& density, const std::string& medium, const std::string& render) const {
+PlannedScene StabilityRun::cube(const std::string& density, const std::string& medium,
+                                const std::string& render) const {
   const std::string interpolation = method_fits(method_) & FITS_TRILINEAR ? "trilinear" : "nearest";
   const std::string text =
       R"({"film": {"size": [4, 4]}, "background": [0.1, 0.1, 0.1],
@@ -70,7 +71,7 @@ void StabilityRun::expect(bool holds, const std::string& remark) {
   row_.holds = false;
 }
 
-std::vector<StabilityRun::Sent> StabilityRun::shoot(const FlatScene& scene, const StabilityRays& rays) {
+std::vector<StabilityRun::Sent> StabilityRun::shoot(const PlannedScene& scene, const StabilityRays& rays) {
   std::vector<float> in;
   for (std::size_t i = 0; i < rays.rays.size(); ++i) {
     for (int k = 0; k < 3; ++k) in.push_back(static_cast<float>(rays.rays[i].origin[k]));
@@ -92,7 +93,7 @@ std::vector<StabilityRun::Sent> StabilityRun::shoot(const FlatScene& scene, cons
   return sent;
 }
 
-void StabilityRun::compare(const FlatScene& scene, const StabilityRays& rays, double limit, bool all_exact) {
+void StabilityRun::compare(const PlannedScene& scene, const StabilityRays& rays, double limit, bool all_exact) {
   const std::vector<Sent> sent = shoot(scene, rays);
   const Medium medium = scene.medium(0);
   double worst = 0, mean = 0;

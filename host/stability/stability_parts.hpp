@@ -30,17 +30,18 @@ class StabilityRun {
 
   // A cube [-1,1]³ of 8³ voxels under a sun from the front right, by this method. `density` and `medium` are JSON
   // members ("density" is constant 1 when empty), `render` too.
-  FlatScene cube(const std::string& density = "", const std::string& medium = "", const std::string& render = "") const;
+  PlannedScene cube(const std::string& density = "", const std::string& medium = "",
+                    const std::string& render = "") const;
 
   struct Sent {
     dvec3 radiance, transmittance;
   };
   // The kernels along each ray; judges what must always hold.
-  std::vector<Sent> shoot(const FlatScene& scene, const StabilityRays& rays);
+  std::vector<Sent> shoot(const PlannedScene& scene, const StabilityRays& rays);
   // The same, and transmittances against the exact optical depth of the reference: methods that are exact must be
   // within `limit`, so must the others where all are (in a constant density, but for trackers); else the error is
   // recorded.
-  void compare(const FlatScene& scene, const StabilityRays& rays, double limit, bool all_exact);
+  void compare(const PlannedScene& scene, const StabilityRays& rays, double limit, bool all_exact);
 
   void expect(bool holds, const std::string& remark);  // a remark is kept when it does not hold
   void record(const std::string& remark);

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "base/file_read.hpp"
 #include "volume/generators/generators.hpp"
 
 namespace brume {
@@ -43,9 +44,8 @@ std::string density_key(const DensitySpec& spec) {
       << spec.value << ' ' << spec.scale << ' ' << spec.octaves << ' ' << spec.seed;
   if (spec.type == "file") {
     const VolumeValues& v = spec.values;
-    key << ' ' << std::filesystem::absolute(spec.file).lexically_normal() << ' ' << std::quoted(spec.grid) << ' '
-        << v.fill << ' ' << v.threshold.has_value() << ' ' << v.threshold.value_or(0) << ' ' << v.scale << ' '
-        << v.clamp_negative;
+    key << ' ' << std::quoted(file_key(spec.file)) << ' ' << std::quoted(spec.grid) << ' ' << v.fill << ' '
+        << v.threshold.has_value() << ' ' << v.threshold.value_or(0) << ' ' << v.scale << ' ' << v.clamp_negative;
     for (const dvec2& point : v.remap) key << ' ' << point.x << ' ' << point.y;
   }
   return key.str() + (spec.of ? " of " + density_key(*spec.of) : "");

@@ -6,10 +6,11 @@
 
 // ROW(address space, type of an element, name in kernels, kind, where the host finds it, what messages call it), NEXT between them.
 //   FLAT    the same for every picture of a scene: a member of FlatScene
+//   PLAN    of one picture: a member of RenderPlan
 //   STORED  depends on render.storage
 //   SCRATCH filled on the device
 #define BRUME_SCENE_BUFFERS(ROW, NEXT)                                                                    \
-  ROW(__constant, Frame, frame, FLAT, frame, "frame")                                                     \
+  ROW(__constant, Frame, frame, PLAN, frame, "frame")                                                     \
   NEXT ROW(__global, Light, lights, FLAT, lights, "lights") NEXT ROW(__global, float, light_shares, FLAT, \
                                                                      light_shares, "light shares") NEXT   \
   ROW(__global, Material, materials, FLAT, materials, "materials") NEXT                                   \
@@ -24,11 +25,11 @@
   ROW(__global, BrickGrid, grids, FLAT, grids, "grids") NEXT                                              \
   ROW(__global, PlacedGrid, placed, FLAT, placed, "placed grids") NEXT                                    \
   ROW(__global, MediumBody, media, FLAT, media, "media") NEXT                                             \
-  ROW(__global, MediumWalk, walks, FLAT, walks, "walks through media") NEXT                               \
+  ROW(__global, MediumWalk, walks, PLAN, walks, "walks through media") NEXT                               \
   ROW(__global, int, bricks, FLAT, bricks, "brick index") NEXT                                            \
   ROW(__global, float, ranges, STORED, brick_ranges, "brick ranges") NEXT                                 \
   ROW(__global, voxel_t, voxels, STORED, voxels, "voxels") NEXT                                           \
-  ROW(__global, LightGrid, light_grids, FLAT, light_grids, "light grids") NEXT                            \
+  ROW(__global, LightGrid, light_grids, PLAN, light_grids, "light grids") NEXT                            \
   ROW(__global, float, light_tau, SCRATCH, light_entries, "light grid depths")
 
 #endif

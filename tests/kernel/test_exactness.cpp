@@ -29,7 +29,7 @@ struct Lattice {
   dvec3 side;  // of a voxel, powers of two
 };
 
-FlatScene scene_of(const Lattice& lattice, const char* method, const char* interpolation) {
+PlannedScene scene_of(const Lattice& lattice, const char* method, const char* interpolation) {
   const dvec3 half = 0.5 * lattice.cells * lattice.side;
   char text[600];
   std::snprintf(text, sizeof text,
@@ -37,7 +37,7 @@ FlatScene scene_of(const Lattice& lattice, const char* method, const char* inter
     "density": {"type": "perlin", "resolution": [%g, %g, %g], "scale": 3, "octaves": 2, "seed": 5}}], "render": {"method": "%s"}})",
                 interpolation, -half.x, -half.y, -half.z, half.x, half.y, half.z, lattice.cells.x, lattice.cells.y,
                 lattice.cells.z, method);
-  FlatScene scene = flatten(scene_read_text(text, "exact.json", {}), {8, {}});
+  PlannedScene scene = flatten(scene_read_text(text, "exact.json", {}), {8, {}});
   EXPECT_EQ(scene.origin, dvec3(0));
   return scene;
 }
@@ -66,7 +66,7 @@ Rays rays_make(const Lattice& lattice, double unit) {
 
 void expect_exact(const Lattice& lattice, const char* method, const char* interpolation, int lanes) {
   static Context context(device_choose("portable computing language"));
-  const FlatScene scene = scene_of(lattice, method, interpolation);
+  const PlannedScene scene = scene_of(lattice, method, interpolation);
   const Medium medium = scene.medium(0);
   const Rays rays = rays_make(lattice, scene.unit);
   const std::vector<float> found = Probe(context, scene, lanes).run("probe_integral", rays.packed, 8, 1);

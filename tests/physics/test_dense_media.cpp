@@ -37,14 +37,14 @@ std::string slab_scene(const std::string& density, double sigma_t, double mu, co
 }
 
 double kernel_pixel(const std::string& scene, int lanes) {
-  const FlatScene flat = flatten(scene_read_text(scene, "slab.json", {}), {bvh_width_for(lanes), {}});
+  const PlannedScene flat = flatten(scene_read_text(scene, "slab.json", {}), {bvh_width_for(lanes), {}});
   Film film({2, 2});
   Renderer(pocl(), flat, {lanes, true, 0}).render(film, [](double) { return true; });
   return film.pixels()[1].radiance.y;
 }
 
 double reference_pixel(const std::string& scene, int scatter_order = 0) {
-  const FlatScene flat = flatten(scene_read_text(scene, "slab.json", {}), {4, {}});
+  const PlannedScene flat = flatten(scene_read_text(scene, "slab.json", {}), {4, {}});
   const reference::Context context(flat, {scatter_order, 1});
   return reference::ray_render(context, reference::camera_ray(flat.frame.camera, 1, 0, {0.5, 0.5})).radiance.y;
 }

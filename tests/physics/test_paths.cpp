@@ -25,7 +25,7 @@ struct Pixel {
 };
 
 Pixel kernel_pixel(const std::string& scene, int lanes) {
-  const FlatScene flat = flatten(scene_read_text(scene, "mirrors.json", {}), {bvh_width_for(lanes), {}});
+  const PlannedScene flat = flatten(scene_read_text(scene, "mirrors.json", {}), {bvh_width_for(lanes), {}});
   Film film({2, 2});
   Renderer(pocl(), flat, {lanes, false, 0}).render(film, [](double) { return true; });
   const FilmPixel& p = film.pixels()[0];
@@ -33,7 +33,7 @@ Pixel kernel_pixel(const std::string& scene, int lanes) {
 }
 
 reference::PixelD reference_pixel(const std::string& scene) {
-  const FlatScene flat = flatten(scene_read_text(scene, "mirrors.json", {}), {4, {}});
+  const PlannedScene flat = flatten(scene_read_text(scene, "mirrors.json", {}), {4, {}});
   return reference::pixel_render(reference::Context(flat, {}), 0, 0);
 }
 

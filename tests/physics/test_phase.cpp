@@ -16,7 +16,7 @@ struct Moments {
 
 // θ = π x^3 (or mirrored): nodes crowd where the lobe is. 2π ∫ p(θ) sinθ dθ with Gauss-Legendre on 64 pieces.
 Moments phase_moments(int phase, double g, int lanes) {
-  const FlatScene scene = check_scene("surfaces", 8, bvh_width_for(lanes));
+  const PlannedScene scene = check_scene("surfaces", 8, bvh_width_for(lanes));
   std::vector<float> in;
   std::vector<double> weights, cosines;
   const auto nodes = reference::gauss_legendre(8);

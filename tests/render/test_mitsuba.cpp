@@ -54,7 +54,7 @@ TEST_P(Mitsuba, AgreesInTheMeansOfBlocks) {
   const SceneDesc desc = scene_read(scene, {});
   const DeviceInfo device = device_choose("portable computing language");
   const int lanes = lanes_choose(device, 0);
-  const FlatScene flat = flatten(desc, {bvh_width_for(lanes), {}});
+  const PlannedScene flat = flatten(desc, {bvh_width_for(lanes), {}});
   Context context(device);
   const Image ours = film_image(render_film(context, flat, lanes));
 

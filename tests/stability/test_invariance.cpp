@@ -20,7 +20,7 @@ constexpr const char* SCENES[] = {"fog_gauss2",     "fog_jitter", "fog_delta",  
                                   "fog_grid_color", "mirrors",    "fog_residual"};
 
 Film film_of(const std::string& name, int lanes, int batch_rays) {
-  const FlatScene scene = check_scene(name, 24, bvh_width_for(lanes));
+  const PlannedScene scene = check_scene(name, 24, bvh_width_for(lanes));
   Film film({24, 24});
   Renderer renderer(pocl(), scene, {lanes, false, batch_rays});
   renderer.render(film, [](double) { return true; });
@@ -53,7 +53,7 @@ TEST(Invariance, LanesOnlyRound) {
 }
 
 TEST(Invariance, AnotherSeedIsAnotherPictureOfTheSameMean) {
-  FlatScene scene = check_scene("fog_ratio", 24, 8);
+  PlannedScene scene = check_scene("fog_ratio", 24, 8);
   const Film a = render_film(pocl(), scene, 8);
   scene.frame.seed = 99;
   const Film b = render_film(pocl(), scene, 8);

@@ -42,7 +42,7 @@ TEST(StabilityJudgement, SeesWhatIsWrong) {
   EXPECT_TRUE(run.row().holds) << run.row().remark;
 
   StabilityRun no_number(pocl(), METHOD_DDA_GAUSS2, 8);
-  FlatScene scene = no_number.cube();
+  PlannedScene scene = no_number.cube();
   scene.voxels[0] = NAN;
   for (float& value : scene.voxels) value = NAN;
   no_number.shoot(scene, rays);

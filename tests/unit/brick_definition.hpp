@@ -42,7 +42,7 @@ inline std::size_t brick_index(const Medium& m, ivec3 b) {
 }
 
 // Sample i, 0 ... 8 on each axis, of brick b.
-inline double stored_sample(const FlatScene& scene, const Medium& m, ivec3 b, ivec3 i) {
+inline double stored_sample(const PlannedScene& scene, const Medium& m, ivec3 b, ivec3 i) {
   const int number = scene.bricks.at(brick_index(m, b));
   if (number == BRICK_EMPTY) return 0;
   return scene.voxels.at(static_cast<std::size_t>(number) * BRICK_VALUES +
@@ -57,7 +57,7 @@ void for_each(ivec3 size, Visit visit) {
 }
 
 // Everything that the layout promises of the bricks of one grid.
-inline void expect_bricks_of(const Grid& grid, const FlatScene& scene, const Medium& m) {
+inline void expect_bricks_of(const Grid& grid, const PlannedScene& scene, const Medium& m) {
   const bool trilinear = m.interpolation == INTERPOLATION_TRILINEAR;
   const ivec3 cells(m.cells_x, m.cells_y, m.cells_z), bricks(m.brick_nx, m.brick_ny, m.brick_nz);
   ASSERT_EQ(cells, grid.size() + (trilinear ? 1 : 0));
@@ -95,7 +95,7 @@ inline void expect_bricks_of(const Grid& grid, const FlatScene& scene, const Med
 }
 
 // Where cell-space position s is in the world: sample s of the padded lattice sits where the grid says that sample s - 1 sits.
-inline dvec3 world_of(const FlatScene& scene, const Medium& m, const dvec3& p) {
+inline dvec3 world_of(const PlannedScene& scene, const Medium& m, const dvec3& p) {
   dvec3 w(0);
   for (int row = 0; row < 3; ++row)
     w[row] = m.world_from_cell.m[4 * row] * p.x + m.world_from_cell.m[4 * row + 1] * p.y +

@@ -4,7 +4,7 @@
 #include <functional>
 #include <glm/vec3.hpp>
 
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 #include "shared/method.h"
 #include "shared/phase.h"
 
@@ -23,8 +23,8 @@ inline Affine affine_scale(double s, const glm::dvec3& offset = glm::dvec3(0)) {
 }
 
 // An orthographic camera on the +z side that looks down -z at the square [-1,1]² through size x size pixels.
-inline FlatScene scene_empty(int size = 1) {
-  FlatScene scene;
+inline PlannedScene scene_empty(int size = 1) {
+  PlannedScene scene;
   Camera& camera = scene.frame.camera;
   camera = {packed(0, 0, 8), CAMERA_ORTHOGRAPHIC, packed(0, 0, -1), size, packed(1, 0, 0), size, packed(0, 1, 0), 1, 0};
   scene.frame.crop_x1 = scene.frame.crop_y1 = size;
@@ -32,7 +32,7 @@ inline FlatScene scene_empty(int size = 1) {
   return scene;
 }
 
-inline Material& material_add(FlatScene& scene, double diffuse = 1) {
+inline Material& material_add(PlannedScene& scene, double diffuse = 1) {
   Material material{};
   material.diffuse = grey(diffuse);
   material.texture = material.emission_texture = -1;
@@ -41,7 +41,7 @@ inline Material& material_add(FlatScene& scene, double diffuse = 1) {
 }
 
 // Shapes take material 0, which is made when there is none.
-inline void shape_add(FlatScene& scene, int type, std::initializer_list<double> data) {
+inline void shape_add(PlannedScene& scene, int type, std::initializer_list<double> data) {
   if (scene.materials.empty()) material_add(scene);
   Shape shape{};
   shape.type = type;
@@ -50,7 +50,7 @@ inline void shape_add(FlatScene& scene, int type, std::initializer_list<double> 
   scene.shapes.push_back(shape);
 }
 
-inline Triangle& triangle_add(FlatScene& scene, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+inline Triangle& triangle_add(PlannedScene& scene, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   if (scene.materials.empty()) material_add(scene);
   Triangle triangle{};
   triangle.p[0] = packed(a);
@@ -61,7 +61,7 @@ inline Triangle& triangle_add(FlatScene& scene, const glm::dvec3& a, const glm::
   return scene.triangles.back();
 }
 
-inline void light_add_directional(FlatScene& scene, const glm::dvec3& direction, double irradiance) {
+inline void light_add_directional(PlannedScene& scene, const glm::dvec3& direction, double irradiance) {
   Light light{};
   light.type = LIGHT_DIRECTIONAL;
   light.direction = packed(direction);
@@ -69,7 +69,7 @@ inline void light_add_directional(FlatScene& scene, const glm::dvec3& direction,
   scene.lights.push_back(light);
 }
 
-inline Light& light_add_point(FlatScene& scene, const glm::dvec3& position, double intensity) {
+inline Light& light_add_point(PlannedScene& scene, const glm::dvec3& position, double intensity) {
   Light light{};
   light.type = LIGHT_POINT;
   light.falloff = FALLOFF_INVERSE_SQUARE;
@@ -87,7 +87,7 @@ struct MediumRows {
 };
 
 // A medium of constant density over [lo, hi] in cell space, which is world space.
-inline MediumRows medium_add_constant(FlatScene& scene, const glm::dvec3& lo, const glm::dvec3& hi, double sigma_a,
+inline MediumRows medium_add_constant(PlannedScene& scene, const glm::dvec3& lo, const glm::dvec3& hi, double sigma_a,
                                       double sigma_s, double density = 1) {
   PlacedGrid placed{};
   placed.cell_from_world = affine_scale(1);
@@ -110,7 +110,7 @@ inline MediumRows medium_add_constant(FlatScene& scene, const glm::dvec3& lo, co
 
 // A grid of cells over [0, cells], cell space being world space. density(sample) is asked for every sample of every
 // brick; a brick of zeros is left out, as in a flat scene.
-inline MediumRows medium_add_grid(FlatScene& scene, const glm::ivec3& cells, int interpolation,
+inline MediumRows medium_add_grid(PlannedScene& scene, const glm::ivec3& cells, int interpolation,
                                   const std::function<double(glm::ivec3)>& density, double sigma_a, double sigma_s) {
   const MediumRows medium = medium_add_constant(scene, glm::dvec3(0), glm::dvec3(cells), sigma_a, sigma_s);
   medium.placed.interpolation = interpolation;

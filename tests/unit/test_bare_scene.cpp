@@ -75,7 +75,7 @@ TEST_F(BareScene, ReadsAVolumeOnce) {
   ASSERT_EQ(loaded.costs().size(), 1u);
   EXPECT_GT(loaded.costs()[0].bytes, 0u);
   std::filesystem::remove(path);
-  const FlatScene one = flatten(scene, loaded, {}), two = flatten(scene, loaded, {});
+  const PlannedScene one = flatten(scene, loaded, {}), two = flatten(scene, loaded, {});
   EXPECT_EQ(one.voxels, two.voxels);
   EXPECT_EQ(loaded.costs().size(), 1u);
   EXPECT_THROW(flatten(scene, {}), InputError);

@@ -42,7 +42,7 @@ TEST(Bricks, OfGenerators) {
       for (const char* type : {"linear", "perlin", "exponential"}) {
         SCOPED_TRACE(std::string(type) + " " + std::to_string(size.x) + " " + std::to_string(interpolation));
         const DensityDesc density = generator(type, size);
-        const FlatScene scene = flatten(scene_with(density, interpolation), {});
+        const PlannedScene scene = flatten(scene_with(density, interpolation), {});
         ASSERT_EQ(scene.media.size(), 1u);
         expect_bricks_of(grid_of(density), scene, scene.medium(0));
       }
@@ -53,7 +53,7 @@ TEST(Bricks, EmptyOnesAreNotStored) {
   DensityDesc ball = generator("sphere", ivec3(64));
   ball.of = std::make_shared<DensityDesc>(generator("perlin", ivec3(64)));
   for (const int interpolation : {INTERPOLATION_NEAREST, INTERPOLATION_TRILINEAR}) {
-    const FlatScene scene = flatten(scene_with(ball, interpolation), {});
+    const PlannedScene scene = flatten(scene_with(ball, interpolation), {});
     const Grid grid = grid_of(ball);
     expect_bricks_of(grid, scene, scene.medium(0));
     const auto empty = std::count(scene.bricks.begin(), scene.bricks.end(), BRICK_EMPTY);
@@ -64,7 +64,7 @@ TEST(Bricks, EmptyOnesAreNotStored) {
 
 // A grid of voxels as given, straight into bricks_append.
 struct Cut {
-  FlatScene scene;
+  PlannedScene scene;
   Medium medium{};
   Cut(const Grid& grid, int interpolation) {
     medium.interpolation = interpolation;
@@ -182,7 +182,7 @@ TEST(Bricks, MediaFollowEachOther) {
   desc.media.push_back(desc.media[0]);
   desc.media[1].density = generator("linear", {20, 5, 8});
   desc.media[1].interpolation = INTERPOLATION_NEAREST;
-  const FlatScene scene = flatten(desc, {});
+  const PlannedScene scene = flatten(desc, {});
   ASSERT_EQ(scene.media.size(), 2u);
   EXPECT_EQ(scene.grids[0].brick_offset, 0);
   EXPECT_EQ(scene.grids[1].brick_offset, 2 * 2 * 2);
@@ -196,8 +196,8 @@ TEST(Bricks, MediaOfOneDensityShareThem) {
   desc.media.push_back(desc.media[0]);
   desc.media[1].transform = {Translate{dvec3(3, 0, 0)}};
   desc.media[1].sigma_s = dvec3(2);
-  const FlatScene one = flatten(scene_with(desc.media[0].density, INTERPOLATION_TRILINEAR), {});
-  const FlatScene two = flatten(desc, {});
+  const PlannedScene one = flatten(scene_with(desc.media[0].density, INTERPOLATION_TRILINEAR), {});
+  const PlannedScene two = flatten(desc, {});
   EXPECT_EQ(two.grids.size(), 1u);
   EXPECT_EQ(two.placed.size(), 2u);
   EXPECT_EQ(two.voxels, one.voxels);
@@ -205,7 +205,7 @@ TEST(Bricks, MediaOfOneDensityShareThem) {
   EXPECT_EQ(two.media[1].sigma_s.x, 2 * static_cast<float>(two.unit));
   EXPECT_NE(two.medium(0).world_from_cell.m[3], two.medium(1).world_from_cell.m[3]);
   desc.media[1].interpolation = INTERPOLATION_NEAREST;
-  const FlatScene padded = flatten(desc, {});
+  const PlannedScene padded = flatten(desc, {});
   EXPECT_EQ(padded.grids.size(), 2u);
   for (int i : {0, 1}) expect_bricks_of(grid_of(desc.media[i].density), padded, padded.medium(i));
 }
@@ -214,12 +214,12 @@ TEST(Bricks, MediaOfOneDensityShareThem) {
 TEST(Bricks, AGlowOfItsOwnNamesItsGrid) {
   SceneDesc desc = scene_with(generator("perlin", {9, 10, 11}), INTERPOLATION_TRILINEAR);
   desc.media[0].emission = dvec3(1);
-  const FlatScene own = flatten(desc, {});
+  const PlannedScene own = flatten(desc, {});
   ASSERT_EQ(own.media.size(), 1u);
   EXPECT_EQ(own.media[0].density, 0);
   EXPECT_EQ(own.media[0].glow, 0);
   desc.media[0].emission_density = std::make_shared<DensityDesc>(generator("linear", {20, 5, 8}));
-  const FlatScene two = flatten(desc, {});
+  const PlannedScene two = flatten(desc, {});
   ASSERT_EQ(two.media.size(), 2u);
   EXPECT_EQ(two.media[0].density, -1);
   EXPECT_EQ(two.media[0].glow, 0);
@@ -239,7 +239,7 @@ TEST_F(Vdb, BricksFadeToZeroAroundTheFile) {
   density.type = "file";
   density.file = file({g});
   for (const int interpolation : {INTERPOLATION_NEAREST, INTERPOLATION_TRILINEAR}) {
-    const FlatScene scene = flatten(scene_with(density, interpolation), {});
+    const PlannedScene scene = flatten(scene_with(density, interpolation), {});
     const Grid read = volume_read(density.file);
     ASSERT_EQ(read.border, Border::ZERO);
     expect_bricks_of(read, scene, scene.medium(0));
@@ -254,7 +254,7 @@ TEST(Bricks, GeneratorsFillTheirBounds) {
   for (const int interpolation : {INTERPOLATION_NEAREST, INTERPOLATION_TRILINEAR}) {
     SceneDesc desc = scene_with(generator("exponential", {4, 8, 2}), interpolation);
     desc.media[0].bounds = {dvec3(0, 0, 0), dvec3(4, 16, 1)};
-    const FlatScene scene = flatten(desc, {});
+    const PlannedScene scene = flatten(desc, {});
     const Medium m = scene.medium(0);
     EXPECT_LT(glm::distance(world_of(scene, m, {m.lo.x, m.lo.y, m.lo.z}), dvec3(0)), 1e-5);
     EXPECT_LT(glm::distance(world_of(scene, m, {m.hi.x, m.hi.y, m.hi.z}), dvec3(4, 16, 1)), 1e-5);

@@ -13,7 +13,7 @@ namespace brume::reference {
 namespace {
 
 // A rotated box of unequal sides and voxels under one light.
-FlatScene fog_under(const std::string& light, int cells) {
+PlannedScene fog_under(const std::string& light, int cells) {
   const std::string text = R"({
     "camera": {"eye": [0, 0, 5], "target": [0, 0, 0]}, "lights": [)" +
                            light + R"(],
@@ -46,7 +46,7 @@ void each_point(const Medium& medium, double inset, const Visit& visit) {
 
 TEST(LightGrids, ColumnsRunAlongTheLight) {
   for (const std::string& light : suns()) {
-    const FlatScene scene = fog_under(light, 11);
+    const PlannedScene scene = fog_under(light, 11);
     ASSERT_EQ(scene.light_grids.size(), 1u);
     const LightGrid& grid = scene.light_grids[0];
     EXPECT_LE(std::fabs(grid.slope_u), 1) << light;
@@ -61,7 +61,7 @@ TEST(LightGrids, ColumnsRunAlongTheLight) {
 
 TEST(LightGrids, EveryPlaneHoldsThePointsAboutItsBox) {
   for (const std::string& light : suns()) {
-    const FlatScene scene = fog_under(light, 11);
+    const PlannedScene scene = fog_under(light, 11);
     const LightGrid& grid = scene.light_grids[0];
     each_point(scene.medium(0), 0, [&](const dvec3& p) {
       const dvec3 g = affine_point(grid.grid_from_cell, p);
@@ -82,7 +82,7 @@ TEST(LightGrids, EveryPlaneHoldsThePointsAboutItsBox) {
 }
 
 // Root mean square of the difference of transmittances to the light between grid and traced rays.
-double rms_of(const FlatScene& scene) {
+double rms_of(const PlannedScene& scene) {
   const Context context(scene, {});
   const Medium medium = scene.medium(0);
   double sum = 0, count = 0;

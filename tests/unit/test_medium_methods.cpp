@@ -12,7 +12,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 
 // A ramp of voxels and an ellipsoid of even fog with nearest voxels, each with more keys.
-FlatScene flat(const std::string& ramp, const std::string& fog, const std::string& render) {
+PlannedScene flat(const std::string& ramp, const std::string& fog, const std::string& render) {
   const std::string text = R"({"media": [
     {"density": {"type": "linear", "resolution": [8, 8, 8]}, "sigma_a": 1)" +
                            ramp + R"(},
@@ -21,7 +21,7 @@ FlatScene flat(const std::string& ramp, const std::string& fog, const std::strin
   return flatten(scene_read_text(text, "a.json", {}), {});
 }
 
-std::vector<int> methods(const FlatScene& scene) {
+std::vector<int> methods(const PlannedScene& scene) {
   std::vector<int> all;
   for (const MediumWalk& walk : scene.walks) all.push_back(walk.method);
   return all;
@@ -37,25 +37,25 @@ std::string refusal(const std::string& ramp, const std::string& fog, const std::
 }
 
 TEST(MediumMethods, ThatOfThePictureHoldsWhereItFits) {
-  const FlatScene scene = flat("", "", R"("method": "dda_midpoint")");
+  const PlannedScene scene = flat("", "", R"("method": "dda_midpoint")");
   EXPECT_THAT(methods(scene), ElementsAre(METHOD_DDA_MIDPOINT, METHOD_HOMOGENEOUS));
-  EXPECT_THAT(scene.notes,
+  EXPECT_THAT(scene.all_notes(),
               ElementsAre("/render/method: 'dda_midpoint' does not fit all media: /media/1 takes homogeneous"));
-  const FlatScene even = flat("", "", R"("method": "homogeneous")");
+  const PlannedScene even = flat("", "", R"("method": "homogeneous")");
   EXPECT_THAT(methods(even), ElementsAre(METHOD_DDA_GAUSS2, METHOD_HOMOGENEOUS));
-  EXPECT_THAT(even.notes, ElementsAre(HasSubstr("/media/0 takes dda_gauss2")));
+  EXPECT_THAT(even.all_notes(), ElementsAre(HasSubstr("/media/0 takes dda_gauss2")));
 }
 
 TEST(MediumMethods, NothingIsToldWhereItFitsAll) {
-  EXPECT_THAT(flat("", "", R"("method": "march_midpoint")").notes, ElementsAre());
-  EXPECT_THAT(flat("", "", R"("method": "auto")").notes, ElementsAre());
+  EXPECT_THAT(flat("", "", R"("method": "march_midpoint")").all_notes(), ElementsAre());
+  EXPECT_THAT(flat("", "", R"("method": "auto")").all_notes(), ElementsAre());
 }
 
 TEST(MediumMethods, OneOfItsOwnComesFirst) {
-  const FlatScene scene = flat(R"(, "method": "march_midpoint", "step": 0.25)", R"(, "method": "auto")",
-                               R"("method": "dda_nearest", "step": 0.125)");
+  const PlannedScene scene = flat(R"(, "method": "march_midpoint", "step": 0.25)", R"(, "method": "auto")",
+                                  R"("method": "dda_nearest", "step": 0.125)");
   EXPECT_THAT(methods(scene), ElementsAre(METHOD_MARCH_MIDPOINT, METHOD_HOMOGENEOUS));
-  EXPECT_THAT(scene.notes, ElementsAre());
+  EXPECT_THAT(scene.all_notes(), ElementsAre());
   EXPECT_FLOAT_EQ(scene.walks[0].step, 2 * scene.walks[1].step);  // both are 2 long
 }
 

@@ -4,9 +4,11 @@
 #include "flat/densest_view.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <map>
 
 #include "flat/transform.hpp"
 
@@ -171,37 +173,56 @@ void Picture::add(const dvec3& lattice, double mass) {
 
 }  // namespace
 
-std::vector<ivec3> grid_blocks(const Grid& grid) {
-  std::vector<ivec3> blocks;
-  const ivec3 n = grid.blocks();
-  for (ivec3 b(0); b.z < n.z; ++b.z)
-    for (b.y = 0; b.y < n.y; ++b.y)
-      for (b.x = 0; b.x < n.x; ++b.x)
-        if (!grid.block_empty(b)) blocks.push_back(b);
+GridBlocks grid_blocks(const Grid& grid) {
+  GridBlocks blocks;
+  std::map<std::array<int, 3>, std::size_t> known;
+  grid_visit_blocks(grid, [&](ivec3 b) {
+    const ivec3 group = b / GRID_GROUP;
+    const auto [at, is_new] = known.try_emplace({group.x, group.y, group.z}, blocks.groups.size());
+    if (is_new) blocks.groups.push_back({group, {}});
+    blocks.groups[at->second].members.push_back(static_cast<std::uint32_t>(blocks.all.size()));
+    blocks.all.push_back(b);
+  });
   return blocks;
 }
 
-double grid_line_integral(const Grid& grid, const std::vector<ivec3>& blocks, const dvec3& from, const dvec3& dir) {
+double grid_line_integral(const Grid& grid, const GridBlocks& blocks, const dvec3& from, const dvec3& dir) {
   const dmat4 lattice_from_world = glm::inverse(grid.world_from_lattice);
   const dvec3 p = transform_point(lattice_from_world, from) - 0.5, d = transform_dir(lattice_from_world, dir);
+  struct Met {
+    std::uint32_t block;
+    double t0, t1;
+  };
+  std::vector<Met> met;
+  const auto meets = [&](const dvec3& q, double margin, double side, double& t0, double& t1) {
+    return box_clip(q, d, dvec3(-1 - margin), dvec3(side + margin), t0 = 0, t1 = INFINITY);
+  };
+  double t0, t1;
+  for (const GridBlocks::Group& group : blocks.groups) {
+    constexpr int SIDE = GRID_GROUP * GRID_BLOCK;
+    if (!meets(p - dvec3(group.index * SIDE), 0.5, SIDE, t0, t1)) continue;
+    for (const std::uint32_t i : group.members)
+      if (meets(p - dvec3(blocks.all[i] * GRID_BLOCK), 0, GRID_BLOCK, t0, t1)) met.push_back({i, t0, t1});
+  }
+  std::sort(met.begin(), met.end(),
+            [](const Met& a, const Met& b) { return a.block < b.block; });  // one order of adding
   double sum = 0;
-  for (const ivec3& b : blocks) {
-    const dvec3 q = p - dvec3(b * GRID_BLOCK);
-    double t0 = 0, t1 = INFINITY;
-    if (box_clip(q, d, dvec3(-1), dvec3(GRID_BLOCK), t0, t1)) sum += block_integral(grid.block(b), q, d, t0, t1);
+  for (const Met& m : met) {
+    const ivec3 b = blocks.all[m.block];
+    sum += block_integral(grid.block(b), p - dvec3(b * GRID_BLOCK), d, m.t0, m.t1);
   }
   return sum;
 }
 
 double grid_densest_view(const Grid& grid, const dvec3& eye, const dvec3& target) {
-  const std::vector<ivec3> blocks = grid_blocks(grid);
-  if (blocks.empty()) return 0;
+  const GridBlocks blocks = grid_blocks(grid);
+  if (blocks.all.empty()) return 0;
   const View view = view_make(eye, target);
-  const Picture picture(view, grid, blocks);
+  const Picture picture(view, grid, blocks.all);
   const auto along = [&](const glm::dvec2& at) {
     return grid_line_integral(grid, blocks, eye, view.direction(at.x, at.y));
   };
-  const double rays = std::clamp<double>(BOXES_MAX / double(blocks.size()), RAYS_MIN, RAYS_MAX);
+  const double rays = std::clamp<double>(BOXES_MAX / double(blocks.all.size()), RAYS_MIN, RAYS_MAX);
   double best = 0;
   glm::dvec2 at(0);
   for (const glm::dvec2& candidate : picture.candidates(static_cast<std::size_t>(rays))) {

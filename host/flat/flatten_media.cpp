@@ -124,7 +124,7 @@ double track_sigma_of(const Medium& m, double longest, float density_max) {
   return largest > 0 || !(density_max > 0) ? largest : 8 / (longest * density_max);
 }
 
-Medium medium_flatten(const SceneDesc& desc, const LoadedMedium& loaded, FlatScene& scene) {
+Medium medium_flatten(const SceneDesc& desc, LoadedMedium& loaded, FlatScene& scene) {
   const MediumDesc& d = *loaded.desc;
   Medium medium{};
   medium.interpolation = d.interpolation;
@@ -140,10 +140,10 @@ Medium medium_flatten(const SceneDesc& desc, const LoadedMedium& loaded, FlatSce
   dmat4 cell_from_world = glm::inverse(flat_from(scene, loaded.world_from_lattice));
   const std::size_t first_voxel = scene.voxels.size();
   medium.hi = {1, 1, 1};
-  if (!loaded.is_constant) bricks_append(*loaded.grid, medium, scene);
+  if (!loaded.is_constant) bricks_append(std::move(*loaded.grid), medium, scene);
   coefficients_flatten(d, scene.unit * densities_scale(medium, first_voxel, scene), medium);
   if (!loaded.is_constant) {
-    medium.track_sigma = static_cast<float>(track_sigma_of(medium, longest, density_max(medium, scene)));
+    medium.track_sigma = static_cast<float>(track_sigma_of(medium, longest, density_max(medium, first_voxel, scene)));
     if (d.interpolation == INTERPOLATION_TRILINEAR)
       cell_from_world[3] += glm::dvec4(0.5, 0.5, 0.5, 0.0);  // see bricks_append
   }
@@ -178,8 +178,8 @@ void medium_bounds_add(const LoadedMedium& m, Bounds& bounds) {
                                dvec3(corner & 1 ? hi.x : lo.x, corner & 2 ? hi.y : lo.y, corner & 4 ? hi.z : lo.z)));
 }
 
-void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media, FlatScene& scene) {
-  for (const LoadedMedium& m : media) scene.media.push_back(medium_flatten(desc, m, scene));
+void flatten_media(const SceneDesc& desc, std::vector<LoadedMedium>& media, FlatScene& scene) {
+  for (LoadedMedium& m : media) scene.media.push_back(medium_flatten(desc, m, scene));
   voxels_pack(scene, desc.render.storage);
   const auto grey = [](const Medium& m) {
     const float x = m.sigma_a.x + m.sigma_s.x, y = m.sigma_a.y + m.sigma_s.y, z = m.sigma_a.z + m.sigma_s.z;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "flat/bounds.hpp"
+#include "flat/bricks.hpp"
 #include "flat/flat_scene.hpp"
 #include "flat/transform.hpp"
 #include "mesh/mesh.hpp"
@@ -45,13 +46,13 @@ void flatten_camera(const SceneDesc& desc, const Bounds& bounds, FlatScene& scen
 void flatten_lights(const SceneDesc& desc, FlatScene& scene);
 void flatten_materials(const SceneDesc& desc, LoadedShapes& shapes, FlatScene& scene);
 void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene);
-void flatten_media(const SceneDesc& desc, const std::vector<LoadedMedium>& media, FlatScene& scene);
+void flatten_media(const SceneDesc& desc, std::vector<LoadedMedium>& media, FlatScene& scene);  // takes their grids
 
 // Throws InputError where the steps of marched media ask for more lookups than can be meant.
 void work_check(const SceneDesc& desc, const FlatScene& scene);
 
-// Largest density of the medium, whose bricks are the last of the scene.
-float density_max(const Medium& medium, const FlatScene& scene);
+// Largest density of the medium, whose bricks are the last of the scene: those of the voxels from first_voxel on.
+float density_max(const Medium& medium, std::size_t first_voxel, const FlatScene& scene);
 // Puts its densities, the voxels from first_voxel on, into units that float and half hold; returns the unit, a power of two.
 double densities_scale(Medium& medium, std::size_t first_voxel, FlatScene& scene);
 // Coefficients times `per`: flat units of length, units of density.
@@ -59,9 +60,6 @@ void coefficients_flatten(const MediumDesc& desc, double per, Medium& medium);
 
 // Rounds all voxels and ranges to what `storage` holds and fills `packed` and `storage_error`.
 void voxels_pack(FlatScene& scene, int storage);
-
-// Appends the bricks of a grid: entries, ranges and samples (layout: shared/medium.h); fills in the medium's geometry.
-void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene);
 
 // The light grids of a medium to which they pay, one per light (shared/light_grid.h). Needs the medium's geometry and the lights.
 // Throws InputError where they have more entries than kernels count.

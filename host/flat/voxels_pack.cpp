@@ -44,16 +44,10 @@ float brick_pack_u8(float min, float max, float* voxels, unsigned char* codes) {
 
 float pack_u8(FlatScene& scene) {
   scene.packed.resize(scene.voxels.size());
-  std::vector<bool> done(scene.voxels.size() / BRICK_VALUES);
   float off = 0;
-  for (std::size_t i = 0; i < scene.bricks.size(); ++i) {
-    if (scene.bricks[i] == BRICK_EMPTY) continue;
-    const auto brick = static_cast<std::size_t>(scene.bricks[i]);
-    if (done[brick]) continue;  // shared by bricks of the same one value
-    done[brick] = true;
-    off = std::max(off, brick_pack_u8(scene.brick_ranges[2 * i], scene.brick_ranges[2 * i + 1],
+  for (std::size_t brick = 0; brick < scene.voxels.size() / BRICK_VALUES; ++brick)
+    off = std::max(off, brick_pack_u8(scene.brick_ranges[2 * brick], scene.brick_ranges[2 * brick + 1],
                                       &scene.voxels[brick * BRICK_VALUES], &scene.packed[brick * BRICK_VALUES]));
-  }
   return off;
 }
 

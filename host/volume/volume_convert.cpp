@@ -1,6 +1,7 @@
 // See volume_convert.hpp: values become densities, and what is none is cleaned or refused.
 #include "volume/volume_convert.hpp"
 
+#include <array>
 #include <cfloat>
 #include <cmath>
 #include <glm/common.hpp>
@@ -82,14 +83,21 @@ float VolumeConvert::judge(float value, ivec3 index, std::uint64_t voxels) {
 }
 
 void VolumeConvert::leaf(const VolumeLeaf& leaf) {
-  const ivec3 origin = vec(leaf.origin), size = grid_.size();
+  const ivec3 origin = vec(leaf.origin);
+  const glm::i64vec3 away = glm::i64vec3(origin) - glm::i64vec3(origin_);
+  // Only a damaged process sends what lies wholly outside of the box of the active voxels.
+  if (glm::any(glm::lessThan(away, glm::i64vec3(-7))) ||
+      glm::any(glm::greaterThanEqual(away, glm::i64vec3(grid_.size()))))
+    return;
+  const ivec3 first(away);
+  std::array<float, 512> densities{};
   for (int n = 0; n < 512; ++n) {
     if (!(leaf.active[n >> 6] >> (n & 63) & 1)) continue;
-    const ivec3 index = origin + ivec3(n >> 6, (n >> 3) & 7, n & 7), i = index - origin_;
-    if (glm::any(glm::lessThan(i, ivec3(0))) || glm::any(glm::greaterThanEqual(i, size))) continue;
-    const float d = judge(leaf.values[n], index, 1);
-    if (d != 0) grid_.set(i, d);
+    const ivec3 at(n >> 6, (n >> 3) & 7, n & 7), i = first + at;
+    if (glm::any(glm::lessThan(i, ivec3(0))) || glm::any(glm::greaterThanEqual(i, grid_.size()))) continue;
+    densities[static_cast<std::size_t>((((at.z << 3) | at.y) << 3) | at.x)] = judge(leaf.values[n], origin + at, 1);
   }
+  grid_.set_cube(first, densities.data());
 }
 
 void VolumeConvert::tile(const VolumeTile& tile) {

@@ -52,7 +52,8 @@ void render_benchmark(::benchmark::State& state, const DeviceInfo& device, const
                       const Setting& setting) {
   Context context(device);  // counts the memory of this render alone
   const int lanes = lanes_choose(context.device(), 0);
-  Renderer renderer(context, flat_scene(work, setting, lanes), {lanes, false, 0});
+  const FlatScene scene = flat_scene(work, setting, lanes);
+  Renderer renderer(context, scene, {lanes, false, 0});
   Film film(work.desc.film.size);
   int runs = 0;
   for (auto unused : state) {

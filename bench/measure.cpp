@@ -81,7 +81,8 @@ const Image& exact_picture(Context& context, const Workload& work) {
   const auto found = known.find(work.name);
   if (found != known.end()) return found->second;
   const int lanes = lanes_choose(context.device(), 0);
-  Renderer renderer(context, flat_scene(work, settings().front(), lanes), {lanes, false, 0});
+  const FlatScene scene = flat_scene(work, settings().front(), lanes);
+  Renderer renderer(context, scene, {lanes, false, 0});
   Film film(work.desc.film.size);
   if (!renderer.render(film, [](double) { return !interrupt_requested(); })) interrupt_check();
   return known[work.name] = picture(film);

@@ -169,8 +169,9 @@ std::vector<CheckRow> check_texture(Context& context, int lanes, int items) {
 
 const std::vector<FunctionCheckRow>& function_checks() {
   static const std::vector<FunctionCheckRow> rows{
-      {"layout", check_layout}, {"rng", check_rng},         {"camera", check_camera},     {"phase", check_phase},
-      {"light", check_light},   {"texture", check_texture}, {"surfaces", check_surfaces}, {"media", check_media}};
+      {"layout", check_layout},     {"rng", check_rng},     {"camera", check_camera},
+      {"phase", check_phase},       {"light", check_light}, {"texture", check_texture},
+      {"surfaces", check_surfaces}, {"media", check_media}, {"density", check_density}};
   return rows;
 }
 

@@ -33,6 +33,7 @@ std::vector<CheckRow> check_light(Context&, int lanes, int items);
 std::vector<CheckRow> check_texture(Context&, int lanes, int items);
 std::vector<CheckRow> check_surfaces(Context&, int lanes, int items);
 std::vector<CheckRow> check_media(Context&, int lanes, int items);
+std::vector<CheckRow> check_density(Context&, int lanes, int items);
 
 // Random numbers for test inputs; same on every platform.
 class CheckRandom {

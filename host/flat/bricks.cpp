@@ -13,6 +13,7 @@
 #include <unordered_map>
 
 #include "base/error.hpp"
+#include "flat/brick_cut.hpp"
 #include "flat/flatten_parts.hpp"
 
 namespace brume {
@@ -22,39 +23,13 @@ namespace {
 // 32-bit offsets into the voxels and the index: kernels gather with int lanes.
 constexpr std::int64_t OFFSET_MAX = 0x7fffffff;
 
-using Samples = std::array<float, BRICK_VALUES>;
-
 std::size_t index_of(ivec3 i, int nx, int ny) {
   return (static_cast<std::size_t>(i.z) * static_cast<std::size_t>(ny) + static_cast<std::size_t>(i.y)) *
              static_cast<std::size_t>(nx) +
          static_cast<std::size_t>(i.x);
 }
 
-struct Brick {
-  Samples samples;
-  float min, max;  // over the samples that lookups of its cells read
-};
-
-// Along one axis: where the samples of a brick come from.
-struct Axis {
-  int block;                                    // the grid's block of the first; the next one is at most one further
-  std::array<int, BRICK_SAMPLES> next, within;  // 0 or 1: in which of the two; where in it
-  std::array<bool, BRICK_SAMPLES> zero;         // beyond the border of a grid that fades
-
-  Axis(const Grid& grid, int axis, int first) {
-    const int last = grid.size()[axis] - 1;
-    block = std::clamp(first, 0, last) / GRID_BLOCK;
-    for (int i = 0; i < BRICK_SAMPLES; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      const int sample = std::clamp(first + i, 0, last);
-      next[at] = sample / GRID_BLOCK - block;
-      within[at] = sample % GRID_BLOCK;
-      zero[at] = sample != first + i;
-    }
-  }
-};
-
-std::size_t hash_of(const Samples& samples) {
+std::size_t hash_of(const BrickSamples& samples) {
   return std::hash<std::string_view>()({reinterpret_cast<const char*>(samples.data()), sizeof samples});
 }
 
@@ -85,14 +60,14 @@ class Cutter {
         bricks_((cells_ - 1) / BRICK_CELLS + 1),
         blocks_((bricks_ - 1) / BRICK_BLOCK + 1) {}
 
-  // `done`: called with z when the groups of the grid up to z are no longer read.
+  // `done`: called with z when the grid's blocks below z are no longer read.
   void run(const std::function<void(int z)>& done) {
     geometry_set();
     index_begin();
     scene_.voxels.reserve(scene_.voxels.size() + stored_count() * BRICK_VALUES);
     visit_blocks([&](ivec3 block) {
       block_cut(block);
-      if (block.z > 0 && block.x == blocks_.x - 1 && block.y == blocks_.y - 1) done(block.z - 1);
+      if (block.x == blocks_.x - 1 && block.y == blocks_.y - 1) done((block.z + 1) * BRICK_BLOCK - pad_);
     });
     region_cut();
   }
@@ -109,7 +84,6 @@ class Cutter {
   bool of_stored_blocks(ivec3 b) const;
   void block_cut(ivec3 block);
   std::int32_t brick_cut_entry(ivec3 b);
-  Brick brick_cut(ivec3 b) const;
   std::int32_t constant_entry(float value);
   std::int32_t store(const Brick& brick);
   std::int32_t entries_append(std::int32_t all);
@@ -185,39 +159,6 @@ std::optional<float> Cutter::one_value(ivec3 b, int side) const {
   return value && *value != 0 && fades_ && beyond ? std::nullopt : value;
 }
 
-Brick Cutter::brick_cut(ivec3 b) const {
-  const ivec3 first = b * BRICK_CELLS - pad_;
-  const Axis ax(grid_, 0, first.x), ay(grid_, 1, first.y), az(grid_, 2, first.z);
-  const float* blocks[8];
-  static constexpr std::array<float, GRID_BLOCK * GRID_BLOCK * GRID_BLOCK> zeros{};
-  for (int i = 0; i < 8; ++i) {
-    const ivec3 at =
-        glm::min(ivec3(ax.block + (i & 1), ay.block + (i >> 1 & 1), az.block + (i >> 2)), grid_.blocks() - 1);
-    const float* samples = grid_.block(at);
-    blocks[i] = samples ? samples : zeros.data();
-  }
-  Brick brick;
-  brick.min = INFINITY;
-  brick.max = -INFINITY;
-  float* out = brick.samples.data();
-  for (std::size_t z = 0; z < BRICK_SAMPLES; ++z)
-    for (std::size_t y = 0; y < BRICK_SAMPLES; ++y) {
-      const float* const* pair = &blocks[(az.next[z] << 2) | (ay.next[y] << 1)];
-      const int row = (az.within[z] << 6) | (ay.within[y] << 3);
-      const bool zero = fades_ && (az.zero[z] || ay.zero[y]);
-      for (std::size_t x = 0; x < BRICK_SAMPLES; ++x)
-        *out++ = zero || (fades_ && ax.zero[x]) ? 0.0f : pair[ax.next[x]][row | ax.within[x]];
-    }
-  for (int z = 0; z < read_; ++z)
-    for (int y = 0; y < read_; ++y)
-      for (int x = 0; x < read_; ++x) {
-        const float value = brick.samples[static_cast<std::size_t>((z * BRICK_SAMPLES + y) * BRICK_SAMPLES + x)];
-        brick.min = std::min(brick.min, value);
-        brick.max = std::max(brick.max, value);
-      }
-  return brick;
-}
-
 // Stores the samples and returns their number.
 std::int32_t Cutter::store(const Brick& brick) {
   if (static_cast<std::int64_t>(scene_.voxels.size()) + BRICK_VALUES > OFFSET_MAX)
@@ -258,7 +199,7 @@ std::int32_t Cutter::brick_cut_entry(ivec3 b) {
     if (*one > 0) occupied_.add(first, first + read_, pad_);
     return constant_entry(*one);
   }
-  const Brick brick = brick_cut(b);
+  const Brick brick = brick_cut(grid_, b, pad_);
   if (!(brick.max > 0)) return BRICK_EMPTY;
   occupied_add(brick, first);
   if (brick.min == brick.max) {
@@ -332,12 +273,8 @@ void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene) {
 }
 
 void bricks_append(Grid&& grid, Medium& medium, FlatScene& scene) {
-  int next = 0;
-  const auto release_to = [&](int end) {
-    for (; next < std::min(end, grid.groups().z); ++next) grid.release(next);
-  };
-  Cutter(grid, medium, scene).run([&](int z) { release_to(z + 1); });
-  release_to(grid.groups().z);
+  Cutter(grid, medium, scene).run([&](int z) { grid.release_below(z); });
+  grid.release_below(grid.groups().z * GRID_GROUP);
 }
 
 std::int32_t brick_entry(const FlatScene& scene, const Medium& medium, glm::ivec3 b) {

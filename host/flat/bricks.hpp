@@ -16,4 +16,7 @@ void bricks_append(Grid&& grid, Medium& medium, FlatScene& scene);
 // Number of the samples of brick b of the medium's grid, or BRICK_EMPTY. 0 <= b < brick_n.
 std::int32_t brick_entry(const FlatScene& scene, const Medium& medium, glm::ivec3 b);
 
+// Rounds all voxels and ranges to what `storage` holds and fills `packed` and `storage_error`.
+void voxels_pack(FlatScene& scene, int storage);
+
 }  // namespace brume

@@ -90,6 +90,9 @@ struct Pixel {
 class Picture {
  public:
   Picture(const View& view, const Grid& grid, const std::vector<ivec3>& blocks) : view_(view), grid_(grid) {
+    const glm::dmat3 eye_from_world = glm::transpose(glm::dmat3(view.right, view.above, view.forward));
+    eye_from_lattice_ = eye_from_world * glm::dmat3(grid.world_from_lattice);
+    eye_ = eye_from_world * (dvec3(grid.world_from_lattice[3]) - view.eye);
     bounds_find(blocks);
     for (const ivec3& b : blocks) block_add(b);
   }
@@ -111,9 +114,9 @@ class Picture {
 
  private:
   dvec3 seen(const dvec3& lattice) const {  // u, v, depth
-    const dvec3 p = transform_point(grid_.world_from_lattice, lattice) - view_.eye;
-    const double z = glm::dot(p, view_.forward);
-    return {glm::dot(p, view_.right) / z, glm::dot(p, view_.above) / z, z};
+    const dvec3 p = eye_from_lattice_ * lattice + eye_;
+    const double inverse = 1 / p.z;
+    return {p.x * inverse, p.y * inverse, p.z};
   }
   void bounds_find(const std::vector<ivec3>& blocks);
   void block_add(const ivec3& b);
@@ -121,9 +124,12 @@ class Picture {
 
   const View& view_;
   const Grid& grid_;
+  glm::dmat3 eye_from_lattice_;  // to the right, above, ahead of the eye
+  dvec3 eye_;
   dvec2 lo_{INFINITY}, hi_{-INFINITY};
   double pixel_ = 0, column_ = 0;  // sides of a pixel and of a voxel in the picture
-  double voxel_ = 1;               // volume of one
+  double per_pixel_ = 0, per_column_ = 0;
+  double voxel_ = 1;  // volume of one
   int width_ = 1, height_ = 1;
   std::vector<Pixel> pixels_;
 };
@@ -144,6 +150,8 @@ void Picture::bounds_find(const std::vector<ivec3>& blocks) {
   pixel_ = std::max(column_, std::max(hi_.x - lo_.x, hi_.y - lo_.y) / PICTURE_MAX);
   width_ = static_cast<int>((hi_.x - lo_.x) / pixel_) + 1;
   height_ = static_cast<int>((hi_.y - lo_.y) / pixel_) + 1;
+  per_pixel_ = 1 / pixel_;
+  per_column_ = 1 / column_;
   pixels_.resize(std::size_t(width_) * std::size_t(height_));
 }
 
@@ -157,11 +165,11 @@ void Picture::block_add(const ivec3& b) {
 
 void Picture::add(const dvec3& lattice, double mass) {
   const dvec3 p = seen(lattice);
-  const int x = std::clamp(static_cast<int>((p.x - lo_.x) / pixel_), 0, width_ - 1);
-  const int y = std::clamp(static_cast<int>((p.y - lo_.y) / pixel_), 0, height_ - 1);
+  const int x = std::clamp(static_cast<int>((p.x - lo_.x) * per_pixel_), 0, width_ - 1);
+  const int y = std::clamp(static_cast<int>((p.y - lo_.y) * per_pixel_), 0, height_ - 1);
   Pixel& pixel = pixels_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
-  const double here = mass * voxel_ / (p.z * p.z), column = here / (pixel_ * pixel_),
-               alone = here / (column_ * column_);
+  const double here = mass * voxel_ / (p.z * p.z), column = here * per_pixel_ * per_pixel_,
+               alone = here * per_column_ * per_column_;
   pixel.sum += column;
   pixel.u += column * p.x;
   pixel.v += column * p.y;

@@ -58,9 +58,6 @@ double densities_scale(Medium& medium, std::size_t first_voxel, FlatScene& scene
 // Coefficients times `per`: flat units of length, units of density.
 void coefficients_flatten(const MediumDesc& desc, double per, Medium& medium);
 
-// Rounds all voxels and ranges to what `storage` holds and fills `packed` and `storage_error`.
-void voxels_pack(FlatScene& scene, int storage);
-
 // The light grids of a medium to which they pay, one per light (shared/light_grid.h). Needs the medium's geometry and the lights.
 // Throws InputError where they have more entries than kernels count.
 void light_grids_append(const SceneDesc& desc, Medium& medium, FlatScene& scene);

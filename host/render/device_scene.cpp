@@ -26,7 +26,7 @@ DeviceScene::DeviceScene(Context& context, const FlatScene& s, int tau_channels)
       context.buffer("media", s.media),
       context.buffer("brick index", s.bricks),
       context.buffer("brick ranges", reads_ranges(s) ? s.brick_ranges : std::vector<float>{}),
-      s.packed.empty() ? context.buffer("voxels", s.voxels) : context.buffer("voxels", s.packed),
+      s.packed.empty() ? context.buffer_over("voxels", s.voxels) : context.buffer_over("voxels", s.packed),
       context.buffer("light grids", s.light_grids),
       context.buffer("light grid depths", static_cast<std::size_t>(s.light_entries * tau_channels) * sizeof(float)),
   };

@@ -9,6 +9,7 @@ namespace brume {
 
 class DeviceScene {
  public:
+  // The scene's voxels must live, unchanged, as long as this: a CPU reads them in place.
   // tau_channels: 3 where the kernels carry a colored τ (BRUME_COLOR_TAU), else 1.
   DeviceScene(Context& context, const FlatScene& scene, int tau_channels);
 

@@ -39,8 +39,9 @@ using Progress = std::function<bool(double)>;
 
 class Renderer {
  public:
-  // Builds and uploads. `scene.bvh_width` must suit the lanes (a multiple of them).
+  // Builds and uploads. `scene.bvh_width` must suit the lanes (a multiple of them). The scene must outlive this, unchanged.
   Renderer(Context& context, const FlatScene& scene, const RenderOptions& options);
+  Renderer(Context&, FlatScene&&, const RenderOptions&) = delete;
   ~Renderer();
 
   // Renders the crop of the frame. A film that was stopped early holds what was done (stats().primary_rays says how much, also while

@@ -252,58 +252,36 @@ std::optional<float> Grid::one_value(ivec3 lo, ivec3 hi) const {
   return value;
 }
 
-void Grid::release(int group_z) {
+std::size_t Grid::group_release(ivec3 g, int block_z) {
+  std::int32_t& number = table_[table_index(g)];
+  const bool whole = (g.z + 1) * GRID_GROUP <= block_z;
   std::size_t released = 0;
-  for (ivec3 g(0, 0, group_z); g.y < groups_size_.y; ++g.y)
-    for (g.x = 0; g.x < groups_size_.x; ++g.x) {
-      std::int32_t& group = table_[table_index(g)];
-      if (group >= 0 && !shared_group_[static_cast<std::size_t>(group)]) {
-        for (const std::int32_t number : *groups_[static_cast<std::size_t>(group)])
-          if (number >= 0 && !shared_block_[static_cast<std::size_t>(number)]) {
-            pool_[static_cast<std::size_t>(number)].reset();
-            ++released;
-          }
-        groups_[static_cast<std::size_t>(group)].reset();
+  if (number >= 0 && !shared_group_[static_cast<std::size_t>(number)]) {
+    std::unique_ptr<Group>& group = groups_[static_cast<std::size_t>(number)];
+    const auto end =
+        static_cast<std::size_t>(whole ? GRID_GROUP : block_z - g.z * GRID_GROUP) * GRID_GROUP * GRID_GROUP;
+    for (std::size_t i = 0; i < end; ++i) {
+      std::int32_t& block = (*group)[i];
+      if (block >= 0 && !shared_block_[static_cast<std::size_t>(block)]) {
+        pool_[static_cast<std::size_t>(block)].reset();
+        ++released;
       }
-      group = EMPTY;
+      block = EMPTY;
     }
+    if (whole) group.reset();
+  }
+  if (whole) number = EMPTY;
+  return released;
+}
+
+void Grid::release_below(int block_z) {
+  std::size_t released = 0;
+  for (ivec3 g(0, 0, released_ / GRID_GROUP); g.z < std::min((block_z - 1) / GRID_GROUP + 1, groups_size_.z); ++g.z)
+    for (g.y = 0; g.y < groups_size_.y; ++g.y)
+      for (g.x = 0; g.x < groups_size_.x; ++g.x) released += group_release(g, block_z);
+  released_ = block_z;
   stored_ -= released;
   if (released > TRIM_BLOCKS) memory_return();
-}
-
-namespace {
-
-void stats_add(GridStats& stats, ivec3 lo, ivec3 hi, float value, double& sum) {
-  const double count = double(hi.x - lo.x + 1) * double(hi.y - lo.y + 1) * double(hi.z - lo.z + 1);
-  sum += count * value;
-  stats.min = std::min(stats.min, value);
-  stats.max = std::max(stats.max, value);
-  if (value == 0.0f) return;
-  stats.nonzero += static_cast<std::size_t>(count);
-  stats.nonzero_min = glm::min(stats.nonzero_min, lo);
-  stats.nonzero_max = glm::max(stats.nonzero_max, hi);
-}
-
-}  // namespace
-
-GridStats grid_stats(const Grid& grid) {
-  GridStats stats{INFINITY, -INFINITY, 0, 0, grid.size(), ivec3(-1)};
-  double sum = 0, seen = 0;
-  const ivec3 last = grid.size() - 1, blocks = grid.blocks();
-  grid_visit_blocks(grid, [&](ivec3 b) {
-    ++seen;
-    const ivec3 lo = b * GRID_BLOCK, hi = glm::min(lo + (GRID_BLOCK - 1), last);
-    const float* samples = grid.block(b);
-    if (grid.block_uniform(b)) return stats_add(stats, lo, hi, *samples, sum);
-    visit_box(lo, hi, [&](ivec3 i) {
-      const ivec3 at = i - lo;
-      stats_add(stats, i, i, samples[(((at.z << 3) | at.y) << 3) | at.x], sum);
-    });
-  });
-  if (seen < double(blocks.x) * double(blocks.y) * double(blocks.z)) stats_add(stats, ivec3(0), ivec3(0), 0, sum);
-  const dvec3 size(grid.size());
-  stats.mean = sum / (size.x * size.y * size.z);
-  return stats;
 }
 
 }  // namespace brume

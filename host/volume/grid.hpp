@@ -62,8 +62,8 @@ class Grid {
   bool group_empty(ivec3 g) const { return table_[table_index(g)] < 0; }  // all of its blocks are
   // The one value of all blocks that the box of samples lo ... hi (inclusive, within the grid) meets, where they are stored as such.
   std::optional<float> one_value(ivec3 lo, ivec3 hi) const;
-  // Gives back the memory of the groups at this z: they read as 0 from then on.
-  void release(int group_z);
+  // Gives back the memory of the blocks below this z, block by block: they read as 0 from then on.
+  void release_below(int block_z);
 
   Border border = Border::CLAMP;
   // World position of lattice coordinates: sample i sits at world_from_lattice * (i + 0.5, i + 0.5, i + 0.5). In lattice
@@ -100,6 +100,7 @@ class Grid {
   std::int32_t group_of(float value);
   void block_join(ivec3 b, std::int32_t& number);
   void fill_part(ivec3 b, ivec3 lo, ivec3 hi, float value);
+  std::size_t group_release(ivec3 g, int block_z);
   void expect_room() const;
 
   ivec3 size_, blocks_, groups_size_;
@@ -107,6 +108,7 @@ class Grid {
   std::vector<std::unique_ptr<Group>> groups_;
   std::vector<std::unique_ptr<Block>> pool_;
   std::vector<std::int32_t> free_;                 // of the pool: given back
+  int released_ = 0;                               // blocks below this z are given back
   std::size_t stored_ = 0;                         // blocks of the pool that exist
   std::vector<bool> shared_block_, shared_group_;  // per number: one of those below
   std::map<std::tuple<float, int, int, int>, std::int32_t>

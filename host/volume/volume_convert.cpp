@@ -37,7 +37,11 @@ double remapped(const std::vector<dvec2>& points, double value) {
 
 VolumeConvert::VolumeConvert(const VolumeProgram::GridHead& grid, std::string place, const VolumeValues& values,
                              std::uint64_t bytes_max)
-    : head_(grid), place_(std::move(place)), values_(values), bytes_max_(bytes_max) {}
+    : head_(grid),
+      place_(std::move(place)),
+      values_(values),
+      bytes_max_(bytes_max),
+      plain_(!values.fill && !values.threshold && values.remap.empty() && values.scale == 1) {}
 
 double VolumeConvert::density(double value) const {
   if (values_.fill) value = glm::clamp(0.5 - value / voxel_, 0.0, 1.0);
@@ -90,13 +94,24 @@ void VolumeConvert::leaf(const VolumeLeaf& leaf) {
       glm::any(glm::greaterThanEqual(away, glm::i64vec3(grid_.size()))))
     return;
   const ivec3 first(away);
+  const bool whole =
+      glm::all(glm::greaterThanEqual(first, ivec3(0))) && glm::all(glm::lessThanEqual(first, grid_.size() - 8));
   std::array<float, 512> densities{};
+  float largest = 0;
   for (int n = 0; n < 512; ++n) {
     if (!(leaf.active[n >> 6] >> (n & 63) & 1)) continue;
     const ivec3 at(n >> 6, (n >> 3) & 7, n & 7), i = first + at;
-    if (glm::any(glm::lessThan(i, ivec3(0))) || glm::any(glm::greaterThanEqual(i, grid_.size()))) continue;
-    densities[static_cast<std::size_t>((((at.z << 3) | at.y) << 3) | at.x)] = judge(leaf.values[n], origin + at, 1);
+    if (!whole && (glm::any(glm::lessThan(i, ivec3(0))) || glm::any(glm::greaterThanEqual(i, grid_.size())))) continue;
+    const float value = leaf.values[n];
+    float& out = densities[static_cast<std::size_t>((((at.z << 3) | at.y) << 3) | at.x)];
+    if (plain_ && value >= 0 && value <= FLT_MAX) {
+      out = value;
+      largest = std::max(largest, value);
+    } else {
+      out = judge(value, origin + at, 1);
+    }
   }
+  largest_ = std::max<double>(largest_, largest);
   grid_.set_cube(first, densities.data());
 }
 

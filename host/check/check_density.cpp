@@ -1,4 +1,5 @@
-// Density at points, W side by side: every point of an item lies elsewhere, so that lanes differ in brick, emptiness and being inside.
+// Density at points, W side by side: every point of an item lies elsewhere, so that lanes differ in brick, emptiness
+// and being inside.
 #include <algorithm>
 #include <glm/common.hpp>
 
@@ -18,7 +19,8 @@ bool inside(const Medium& m, const dvec3& p) {
   return p.x >= m.lo.x && p.y >= m.lo.y && p.z >= m.lo.z && p.x <= m.hi.x && p.y <= m.hi.y && p.z <= m.hi.z;
 }
 
-// Half of the points in the dense corner of the grid, the others anywhere about it; of each, some on borders of cells and on the sides.
+// Half of the points in the dense corner of the grid, the others anywhere about it; of each, some on borders of cells
+// and on the sides.
 dvec3 point_make(const Medium& m, CheckRandom& random, int i) {
   const dvec3 lo(m.lo.x, m.lo.y, m.lo.z), hi(m.hi.x, m.hi.y, m.hi.z), middle = 0.5 * (lo + hi);
   const dvec3 at = random.in_box(0.55);

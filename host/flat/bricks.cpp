@@ -1,5 +1,5 @@
-// Grid → bricks. Nearest: cell c is voxel c. Trilinear: samples are padded by one on each side (by the border rule), so that padded
-// sample s = i + 1 sits at cell-space position s, which is lattice + 0.5.
+// Grid → bricks. Nearest: cell c is voxel c. Trilinear: samples are padded by one on each side (by the border rule), so
+// that padded sample s = i + 1 sits at cell-space position s, which is lattice + 0.5.
 #include "flat/bricks.hpp"
 
 #include <algorithm>
@@ -140,7 +140,8 @@ void Cutter::index_begin() {
   scene_.bricks.resize(scene_.bricks.size() + static_cast<std::size_t>(blocks), BRICK_EMPTY);
 }
 
-// How many bricks are stored that no other can share, and a few more: so that the samples are not moved while they are appended.
+// How many bricks are stored that no other can share, and a few more: so that the samples are not moved while they
+// are appended.
 std::size_t Cutter::stored_count() const {
   std::size_t count = 64;
   visit_blocks([&](ivec3 block) {

@@ -7,7 +7,8 @@
 
 namespace brume {
 
-// Appends the bricks of a grid: index, ranges and samples; fills in the medium's geometry. Throws InputError where the scene would
+// Appends the bricks of a grid: index, ranges and samples; fills in the medium's geometry. Throws InputError where
+// the scene would
 // hold more than 32-bit offsets reach. The second form gives the grid's memory back as it goes: afterwards it
 // reads as 0.
 void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene);

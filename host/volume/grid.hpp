@@ -1,6 +1,6 @@
-// A scalar field on a regular lattice, stored sparsely: blocks of 8³ samples, and groups of 8³ blocks, of which neither exists where
-// all is 0 nor twice where all is one value. What files and generators make and what flatten cuts into bricks. Knows nothing of
-// coefficients, cameras or kernels.
+// A scalar field on a regular lattice, stored sparsely: blocks of 8³ samples, and groups of 8³ blocks, of which neither
+// exists where all is 0 nor twice where all is one value. What files and generators make and what flatten cuts into
+// bricks. Knows nothing of coefficients, cameras or kernels.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -29,22 +29,26 @@ inline constexpr std::uint64_t GRID_BYTES_MAX = 8ull << 30;    // of one grid; l
 inline constexpr std::uint64_t GRID_INDEX_MAX = 128ull << 20;  // of those for its index: one int per 64³ samples
 
 // What lies beyond the outermost samples.
-//   CLAMP: samples at (i+0.5)/n of the bounds; within half a voxel of the border the outermost sample goes on (generators, raw).
+//   CLAMP: samples at (i+0.5)/n of the bounds; within half a voxel of the border the outermost sample goes on
+//   (generators, raw).
 //   ZERO:  samples at integer index; everything outside is 0, so trilinear fades over one voxel (OpenVDB).
 enum class Border { CLAMP, ZERO };
 
 class Grid {
  public:
-  // Every size >= 1, all samples 0. Throws InputError for other sizes and for more groups than GRID_INDEX_MAX can index.
+  // Every size >= 1, all samples 0. Throws InputError for other sizes and for more groups than GRID_INDEX_MAX can
+  // index.
   explicit Grid(ivec3 size);
 
   ivec3 size() const { return size_; }
   float at(ivec3 i) const;         // 0 <= i < size
   void set(ivec3 i, float value);  // stores a block on its first non-zero value; InputError beyond GRID_BYTES_MAX
-  // The same value in the box lo ... hi (inclusive, within the grid). Whole blocks of one value are stored once, however many
+  // The same value in the box lo ... hi (inclusive, within the grid). Whole blocks of one value are stored once,
+  // however many
   // calls it takes to fill them.
   void fill(ivec3 lo, ivec3 hi, float value);
-  // Those of 8³ values, x fastest, that are not 0: the first at sample lo, anywhere within the grid or up to 7 before it. Values
+  // Those of 8³ values, x fastest, that are not 0: the first at sample lo, anywhere within the grid or up to 7 before
+  // it. Values
   // beyond the grid must be 0.
   void set_cube(ivec3 lo, const float* values);
   std::size_t stored_bytes() const {
@@ -60,14 +64,17 @@ class Grid {
   bool block_is_one(ivec3 b) const;
   ivec3 groups() const { return groups_size_; }
   bool group_empty(ivec3 g) const { return table_[table_index(g)] < 0; }  // all of its blocks are
-  // The one value of all blocks that the box of samples lo ... hi (inclusive, within the grid) meets, where they are stored as such.
+  // The one value of all blocks that the box of samples lo ... hi (inclusive, within the grid) meets, where they are
+  // stored as such.
   std::optional<float> one_value(ivec3 lo, ivec3 hi) const;
   // Gives back the memory of the blocks below this z, block by block: they read as 0 from then on.
   void release_below(int block_z);
 
   Border border = Border::CLAMP;
-  // World position of lattice coordinates: sample i sits at world_from_lattice * (i + 0.5, i + 0.5, i + 0.5). In lattice
-  // coordinates voxel i spans [i, i+1), so CLAMP grids fill [0, size] and ZERO grids reach half a voxel further when trilinear.
+  // World position of lattice coordinates: sample i sits at world_from_lattice * (i + 0.5, i + 0.5, i + 0.5). In
+  // lattice
+  // coordinates voxel i spans [i, i+1), so CLAMP grids fill [0, size] and ZERO grids reach half a voxel further when
+  // trilinear.
   dmat4 world_from_lattice{1.0};
   std::string name;                // of the grid within its file
   std::string source;              // file or generator, for messages and info

@@ -25,7 +25,8 @@ static inline intW brick_entries(const Scene* scene, const Medium* medium, intW 
   return lanes_gather_int(scene->bricks, block + brick_in_block(x, y, z));
 }
 
-// Where the sample of cell (0, 0, 0) would lie if the brick reached there: cell (x, y, z) is at this + brick_stride(x, y, z).
+// Where the sample of cell (0, 0, 0) would lie if the brick reached there: cell (x, y, z) is at this +
+// brick_stride(x, y, z).
 #define brick_base(number, x, y, z) ((number)*BRICK_VALUES - BRICK_CELLS * brick_stride(x, y, z))
 
 #if BRUME_STORAGE == 2

@@ -1,4 +1,5 @@
-// Density at W points, each anywhere: of different rays, of a gradient, of an iso-surface. Each finds its own brick; a walk along one
+// Density at W points, each anywhere: of different rays, of a gradient, of an iso-surface. Each finds its own brick;
+// a walk along one
 // ray knows the bricks from its steps and looks up by lib/medium.cl.
 #ifndef BRUME_LIB_DENSITY_CL
 #define BRUME_LIB_DENSITY_CL
@@ -12,7 +13,8 @@ static inline floatW density_cell(floatW position, int cells) {
   return fmin(fmax(floor(position), (floatW)(0.0f)), (floatW)((float)(cells - 1)));
 }
 
-// Density of a medium at W points of its cell space; 0 outside of its box [lo, hi], also where a coordinate is no number.
+// Density of a medium at W points of its cell space; 0 outside of its box [lo, hi], also where a coordinate is no
+// number.
 static inline floatW density_at(const Scene* scene, const Medium* medium, floatW x, floatW y, floatW z) {
   const intW inside = density_inside(x, medium->lo.x, medium->hi.x) & density_inside(y, medium->lo.y, medium->hi.y) &
                       density_inside(z, medium->lo.z, medium->hi.z);

@@ -23,8 +23,9 @@ enum MediumRegion { REGION_BOX, REGION_SPHERE };  // sphere: the ellipsoid inscr
 
 // bricks:  ints, the index, of two levels. Block (b >> 3) of brick b: where in `bricks` its entries begin stands at
 //          brick_offset + (z * blocks_y + y) * blocks_x + x, blocks = ceil(brick_n / 8). Entry of brick b, at that
-//          + ((z & 7) * 8 + (y & 7)) * 8 + (x & 7): number n of its stored samples, which begin at voxels[n * BRICK_VALUES], or
-//          BRICK_EMPTY. Blocks of the same entry throughout share them; bricks of one constant value share their samples.
+//          + ((z & 7) * 8 + (y & 7)) * 8 + (x & 7): number n of its stored samples, which begin at
+//          voxels[n * BRICK_VALUES], or BRICK_EMPTY. Blocks of the same entry throughout share them; bricks of one
+//          constant value share their samples.
 // ranges:  2 floats (min, max of the samples) per stored brick.
 typedef struct {
   Affine cell_from_world;

@@ -1,4 +1,5 @@
-// What volumes cost: what is stored in them and not the box around it, and no more than a dense one needs while it loads.
+// What volumes cost: what is stored in them and not the box around it, and no more than a dense one needs while it
+// loads.
 #include <openvdb/openvdb.h>
 #include <sys/wait.h>
 
@@ -35,7 +36,8 @@ class Sparse : public Program {
     write(name, camera + R"("media": [{"density": {"type": "file", "path": ")" + volume + R"("}, "sigma_a": 0.5}]})");
   }
 
-  // Largest resident set of `brume render SCENE` in MiB, without its helpers. A first run builds the kernels: the compiler takes more than
+  // Largest resident set of `brume render SCENE` in MiB, without its helpers. A first run builds the kernels: the
+  // compiler takes more than
   // these volumes. What wait4() says would be at least what this process takes.
   long peak(const std::string& name) const {
     const std::string arguments = "render " + name + " --size 64x64 --quiet -o a.exr";

@@ -51,7 +51,7 @@ namespace {
 
 std::vector<Check> all_checks() {
   std::vector<Check> all;
-  for (const auto list : {basic_checks, material_checks, surface_checks, medium_checks, image_checks})
+  for (const auto list : {basic_checks, material_checks, surface_checks, medium_checks, density_checks, image_checks})
     for (Check& check : list()) all.push_back(std::move(check));
   return all;
 }

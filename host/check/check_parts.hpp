@@ -20,6 +20,7 @@ std::vector<Check> basic_checks();     // layout, rng, camera, phase, light
 std::vector<Check> material_checks();  // material, texture
 std::vector<Check> surface_checks();   // hit, occluded, surface
 std::vector<Check> medium_checks();    // cells, integral, scatter, storage, density, in_scattering
+std::vector<Check> density_checks();   // points
 std::vector<Check> image_checks();     // image
 
 // Small scenes with a bit of everything, made here and not read from files: `brume check` works wherever brume is

@@ -65,7 +65,7 @@ Context::Context(const DeviceInfo& device)
       queue_(context_, device.device, CL_QUEUE_PROFILING_ENABLE),
       allocated_(std::make_shared<std::atomic<std::size_t>>(0)) {}
 
-cl::Buffer Context::buffer(const char* what, std::size_t bytes, const void* data) {
+cl::Buffer Context::buffer(const char* what, std::size_t bytes, const void* data, bool in_place) {
   const std::size_t size = std::max<std::size_t>(bytes, 16);
   if (size > device_.max_buffer_bytes)
     throw RuntimeError(std::string(what) + ": " + megabytes(size) + " in one buffer are needed; " + device_.title() +
@@ -75,9 +75,11 @@ cl::Buffer Context::buffer(const char* what, std::size_t bytes, const void* data
     throw RuntimeError(std::string(what) + " bring the scene to " + megabytes(*allocated_ + size) + "; " +
                        device_.title() + " has room for " + megabytes(allowed));
   try {
-    cl::Buffer result(context_, CL_MEM_READ_WRITE, size);
+    in_place = in_place && bytes == size && data != nullptr;
+    cl::Buffer result(context_, in_place ? CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR : CL_MEM_READ_WRITE, size,
+                      in_place ? const_cast<void*>(data) : nullptr);
+    if (!in_place && bytes > 0 && data != nullptr) queue_.enqueueWriteBuffer(result, CL_TRUE, 0, bytes, data);
     count(result, allocated_, size);
-    if (bytes > 0 && data != nullptr) queue_.enqueueWriteBuffer(result, CL_TRUE, 0, bytes, data);
     return result;
   } catch (const cl::Error& error) {
     throw RuntimeError(std::string(what) + ": allocating " + megabytes(size) + " on " + device_.title() +

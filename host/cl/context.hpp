@@ -24,12 +24,20 @@ class Context {
   // Of all buffers that still live, also those whose last use is under way.
   std::size_t allocated_bytes() const { return *allocated_; }
 
-  // A buffer of `bytes` (at least 16, so that an empty array is still a valid argument), filled from `data` unless null.
+  // A buffer of `bytes` (at least 16, so that an empty array is still a valid argument), filled from `data` unless
+  // null.
   // Throws RuntimeError naming `what`, the size and what the device allows.
-  cl::Buffer buffer(const char* what, std::size_t bytes, const void* data = nullptr);
+  // `in_place`: the buffer is `data`.
+  cl::Buffer buffer(const char* what, std::size_t bytes, const void* data = nullptr, bool in_place = false);
   template <class T>
   cl::Buffer buffer(const char* what, const std::vector<T>& values) {
     return buffer(what, values.size() * sizeof(T), values.data());
+  }
+  // The same of data that live, unchanged, as long as the buffer: where the device's memory is the host's, they are
+  // not copied.
+  template <class T>
+  cl::Buffer buffer_over(const char* what, const std::vector<T>& values) {
+    return buffer(what, values.size() * sizeof(T), values.data(), device_.cpu);
   }
 
   // Programs that were built in it, by text and options: program_build() looks here first.

@@ -10,6 +10,7 @@
 #include "base/text_printable.hpp"
 #include "cli/command.hpp"
 #include "cli/file_kind.hpp"
+#include "flat/bricks.hpp"
 #include "flat/flatten.hpp"
 #include "mesh/mesh.hpp"
 #include "scene/families.hpp"
@@ -73,19 +74,22 @@ Json info_mesh(const Path& file) {
           {"notes", mesh.notes}};
 }
 
-Json medium_info(const PlannedScene& flat, const Medium& m) {
-  std::size_t stored = 0, empty = 0, constant = 0;
+Json medium_info(const FlatScene& flat, const Medium& m) {
+  std::size_t stored = 0, constant = 0;
   const std::size_t count = std::size_t(m.brick_nx) * m.brick_ny * m.brick_nz;
-  for (std::size_t i = m.brick_offset; i < m.brick_offset + count; ++i) {
-    empty += flat.bricks[i] == BRICK_EMPTY;
-    constant += flat.bricks[i] != BRICK_EMPTY && flat.brick_ranges[2 * i] == flat.brick_ranges[2 * i + 1];
-    stored += flat.bricks[i] != BRICK_EMPTY;
-  }
+  for (glm::ivec3 b(0); b.z < m.brick_nz; ++b.z)
+    for (b.y = 0; b.y < m.brick_ny; ++b.y)
+      for (b.x = 0; b.x < m.brick_nx; ++b.x) {
+        const std::int32_t entry = brick_entry(flat, m, b);
+        if (entry == BRICK_EMPTY) continue;
+        ++stored;
+        constant += flat.brick_ranges[2 * std::size_t(entry)] == flat.brick_ranges[2 * std::size_t(entry) + 1];
+      }
   return {{"method", family_name(method_family(), m.method)},
           {"interpolation", family_name(interpolation_family(), m.interpolation)},
           {"cells", {m.cells_x, m.cells_y, m.cells_z}},
           {"step", m.step * flat.unit},
-          {"bricks", {{"all", count}, {"stored", stored}, {"empty", empty}, {"constant", constant}}}};
+          {"bricks", {{"all", count}, {"stored", stored}, {"empty", count - stored}, {"constant", constant}}}};
 }
 
 Json info_scene(const Path& file) {

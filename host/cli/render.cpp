@@ -119,6 +119,7 @@ int render_run(RenderArguments arguments) {
   check_outputs(arguments);
   const std::string input = arguments.scene.string();
   LoadedScene loaded;
+  loaded.needed_again = false;  // one picture needs the files no longer
   const SceneDesc desc = with_memory(input, [&] { return describe(arguments, loaded); });
   if (!arguments.save_scene.empty())
     atomic_write(arguments.save_scene, scene_write(desc, arguments.save_scene.parent_path()));

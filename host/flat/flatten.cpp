@@ -57,7 +57,7 @@ FlatScene scene_flatten(const SceneDesc& desc, LoadedScene& loaded, int bvh_widt
   flatten_lights(desc, scene);
   flatten_materials(desc, loaded, shapes, scene);
   flatten_shapes(shapes, scene);
-  flatten_media(media, scene);
+  flatten_media(media, loaded.needed_again, scene);
   return scene;
 }
 
@@ -74,6 +74,7 @@ PlannedScene flatten(const SceneDesc& desc, LoadedScene& loaded, const FlattenOp
 
 PlannedScene flatten(const SceneDesc& desc, const FlattenOptions& options) {
   LoadedScene loaded;
+  loaded.needed_again = false;
   return flatten(desc, loaded, options);
 }
 

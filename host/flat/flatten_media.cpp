@@ -72,7 +72,7 @@ struct FlatDensity {
 // Grids already in bricks, by grid and interpolation: the padding depends on that.
 using FlatGrids = std::map<std::pair<const Grid*, int>, FlatDensity>;
 
-FlatDensity density_flatten(const LoadedMedium& loaded, FlatScene& scene) {
+FlatDensity density_flatten(const LoadedMedium& loaded, bool needed_again, FlatScene& scene) {
   FlatDensity density{};
   Medium& medium = density.medium;
   medium.interpolation = loaded.desc->interpolation;
@@ -83,13 +83,17 @@ FlatDensity density_flatten(const LoadedMedium& loaded, FlatScene& scene) {
   const std::size_t first_voxel = scene.voxels.size();
   density.grid = -1;
   if (!loaded.is_constant) {
-    bricks_append(*loaded.grid, medium, scene);
+    // held by the loaded scene and by this medium alone
+    if (!needed_again && loaded.grid.use_count() == 2)
+      bricks_append(std::move(*loaded.grid), medium, scene);
+    else
+      bricks_append(*loaded.grid, medium, scene);
     density.grid = static_cast<int>(scene.grids.size());
     scene.grids.push_back({medium.brick_offset, medium.cells_x, medium.cells_y, medium.cells_z, medium.brick_nx,
                            medium.brick_ny, medium.brick_nz});
   }
   density.unit = densities_scale(medium, first_voxel, scene);
-  density.largest = density_max(medium, scene);
+  density.largest = density_max(medium, first_voxel, scene);
   return density;
 }
 
@@ -126,10 +130,10 @@ MediumBody body_flatten(const LoadedMedium& loaded, int placed, double per) {
   return body;
 }
 
-void medium_flatten(const LoadedMedium& loaded, FlatGrids& grids, FlatScene& scene) {
+void medium_flatten(const LoadedMedium& loaded, bool needed_again, FlatGrids& grids, FlatScene& scene) {
   const auto key = std::make_pair(loaded.grid.get(), loaded.desc->interpolation);
   const auto known = loaded.is_constant ? grids.end() : grids.find(key);
-  const FlatDensity density = known != grids.end() ? known->second : density_flatten(loaded, scene);
+  const FlatDensity density = known != grids.end() ? known->second : density_flatten(loaded, needed_again, scene);
   if (!loaded.is_constant) grids[key] = density;
   scene.media.push_back(body_flatten(loaded, density_place(density, loaded, scene), scene.unit * density.unit));
   scene.sizes.push_back({loaded.desc->place, longest_side(loaded) / scene.unit, density.largest});
@@ -151,9 +155,9 @@ void medium_bounds_add(const LoadedMedium& m, Bounds& bounds) {
                                dvec3(corner & 1 ? hi.x : lo.x, corner & 2 ? hi.y : lo.y, corner & 4 ? hi.z : lo.z)));
 }
 
-void flatten_media(const std::vector<LoadedMedium>& media, FlatScene& scene) {
+void flatten_media(const std::vector<LoadedMedium>& media, bool needed_again, FlatScene& scene) {
   FlatGrids grids;
-  for (const LoadedMedium& m : media) medium_flatten(m, grids, scene);
+  for (const LoadedMedium& m : media) medium_flatten(m, needed_again, grids, scene);
   const auto grey = [](const MediumBody& m) {
     const float x = m.sigma_a.x + m.sigma_s.x, y = m.sigma_a.y + m.sigma_s.y, z = m.sigma_a.z + m.sigma_s.z;
     return x == y && y == z;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "flat/bounds.hpp"
+#include "flat/bricks.hpp"
 #include "flat/render_plan.hpp"
 #include "flat/transform.hpp"
 #include "load/loaded_scene.hpp"
@@ -35,7 +36,7 @@ struct LoadedMedium {
   bool is_constant, sphere;  // closed form; cut to a sphere
   bool only_glows;           // it is the glow of another medium
   double constant = 0;
-  std::shared_ptr<const Grid> grid;  // media of the same density share it
+  std::shared_ptr<Grid> grid;  // media of the same density share it
   dmat4 world_from_lattice{1.0};     // lattice: [0, size] of the grid, or the unit cube of a constant medium
 };
 std::vector<LoadedMedium> load_media(const SceneDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes);
@@ -63,7 +64,8 @@ void flatten_lights(const SceneDesc& desc, FlatScene& scene);
 int plan_light_picks(const SceneDesc& desc, const FlatScene& scene);
 void flatten_materials(const SceneDesc& desc, LoadedScene& loaded, LoadedShapes& shapes, FlatScene& scene);
 void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene);
-void flatten_media(const std::vector<LoadedMedium>& media, FlatScene& scene);
+// needed_again: LoadedScene's; where nobody needs them again, grids give their memory back on the way.
+void flatten_media(const std::vector<LoadedMedium>& media, bool needed_again, FlatScene& scene);
 
 // Camera, film and what "render" says of rays.
 void plan_camera(const SceneDesc& desc, const FlatScene& scene, Frame& frame);
@@ -71,15 +73,12 @@ void plan_camera(const SceneDesc& desc, const FlatScene& scene, Frame& frame);
 // Throws InputError where the steps of marched media ask for more lookups than can be meant.
 void work_check(const SceneDesc& desc, const FlatScene& scene, const RenderPlan& plan);
 
-// Largest density of the medium, whose bricks are the last of the scene.
-float density_max(const Medium& medium, const FlatScene& scene);
+// Largest density of the medium, whose bricks are the last of the scene: those of the voxels from first_voxel on.
+float density_max(const Medium& medium, std::size_t first_voxel, const FlatScene& scene);
 // Puts its densities, the voxels from first_voxel on, into units that float and half hold; returns the unit, a power of two.
 double densities_scale(Medium& medium, std::size_t first_voxel, FlatScene& scene);
 // Coefficients times `per`: flat units of length, units of density.
 void coefficients_flatten(const MediumDesc& desc, double per, MediumBody& medium);
-
-// Appends the bricks of a grid: entries, ranges and samples (layout: shared/medium.h); fills in the medium's geometry.
-void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene);
 
 // The light grids of a medium to which they pay, one per light (shared/light_grid.h): the number of the first, -1 for none. Needs the
 // medium's geometry and coefficients, and the lights.

@@ -42,18 +42,12 @@ float brick_pack_u8(float min, float max, float* voxels, unsigned char* codes) {
   return off;
 }
 
-float pack_u8(const FlatScene& scene, std::vector<float>& voxels, StoredVoxels& stored) {
+float pack_u8(std::vector<float>& voxels, StoredVoxels& stored) {
   stored.packed.resize(voxels.size());
-  std::vector<bool> done(voxels.size() / BRICK_VALUES);
   float off = 0;
-  for (std::size_t i = 0; i < scene.bricks.size(); ++i) {
-    if (scene.bricks[i] == BRICK_EMPTY) continue;
-    const auto brick = static_cast<std::size_t>(scene.bricks[i]);
-    if (done[brick]) continue;  // shared by bricks of the same one value
-    done[brick] = true;
-    off = std::max(off, brick_pack_u8(stored.ranges[2 * i], stored.ranges[2 * i + 1], &voxels[brick * BRICK_VALUES],
-                                      &stored.packed[brick * BRICK_VALUES]));
-  }
+  for (std::size_t brick = 0; brick < voxels.size() / BRICK_VALUES; ++brick)
+    off = std::max(off, brick_pack_u8(stored.ranges[2 * brick], stored.ranges[2 * brick + 1],
+                                      &voxels[brick * BRICK_VALUES], &stored.packed[brick * BRICK_VALUES]));
   return off;
 }
 
@@ -64,7 +58,7 @@ StoredVoxels voxels_store(const FlatScene& flat, int storage, std::vector<float>
   stored.ranges = flat.brick_ranges;
   if (voxels.empty()) return stored;
   const float largest = *std::max_element(voxels.begin(), voxels.end());
-  stored.error = (storage == STORAGE_F16 ? pack_f16(voxels, stored) : pack_u8(flat, voxels, stored)) / largest;
+  stored.error = (storage == STORAGE_F16 ? pack_f16(voxels, stored) : pack_u8(voxels, stored)) / largest;
   return stored;
 }
 

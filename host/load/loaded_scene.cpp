@@ -25,11 +25,11 @@ DensitySpec density_spec(const DensityDesc& d) {
 
 // What `known` has under the key, else what `load` makes.
 template <class T, class Load>
-std::shared_ptr<const T> once(std::map<std::string, std::shared_ptr<const T>>& known, const std::string& key,
+std::shared_ptr<T> once(std::map<std::string, std::shared_ptr<T>>& known, const std::string& key,
                               Load load) {
   const auto found = known.find(key);
   if (found != known.end()) return found->second;
-  return known[key] = std::make_shared<const T>(load());
+  return known[key] = std::make_shared<T>(load());
 }
 
 template <class T>
@@ -39,13 +39,13 @@ std::size_t array_bytes(const std::vector<T>& values) {
 
 }  // namespace
 
-std::shared_ptr<const Grid> LoadedScene::grid(const DensityDesc& density) {
+std::shared_ptr<Grid> LoadedScene::grid(const DensityDesc& density) {
   const DensitySpec spec = density_spec(density);
   return once(grids_, density_key(spec), [&] { return density_make(spec); });
 }
 
 void LoadedScene::keep(const DensityDesc& density, Grid grid) {
-  grids_[density_key(density_spec(density))] = std::make_shared<const Grid>(std::move(grid));
+  grids_[density_key(density_spec(density))] = std::make_shared<Grid>(std::move(grid));
 }
 
 std::shared_ptr<const Mesh> LoadedScene::mesh(const std::filesystem::path& file) {

@@ -24,7 +24,7 @@ struct LoadedCost {
 class LoadedScene {
  public:
   // Each is loaded when it is first asked for. They throw what their readers throw: InputError.
-  std::shared_ptr<const Grid> grid(const DensityDesc& density);
+  std::shared_ptr<Grid> grid(const DensityDesc& density);
   std::shared_ptr<const Mesh> mesh(const std::filesystem::path& file);
   std::shared_ptr<const Image> texture(const std::filesystem::path& file);
 
@@ -33,8 +33,11 @@ class LoadedScene {
 
   std::vector<LoadedCost> costs() const;
 
+  // Whoever flattens it for the last time: grids may then give their memory back as they are laid out.
+  bool needed_again = true;
+
  private:
-  std::map<std::string, std::shared_ptr<const Grid>> grids_;  // by density_key
+  std::map<std::string, std::shared_ptr<Grid>> grids_;  // by density_key
   std::map<std::string, std::shared_ptr<const Mesh>> meshes_;
   std::map<std::string, std::shared_ptr<const Image>> textures_;
 };

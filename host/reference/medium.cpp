@@ -38,9 +38,7 @@ Interval ellipsoid_interval(const dvec3& lo, const dvec3& hi, const RayD& ray, I
 
 // Samples of one cell's brick, or nullptr where the brick is empty.
 const float* brick_of(const PlannedScene& scene, const Medium& medium, const ivec3& cell) {
-  const ivec3 brick = cell / BRICK_CELLS;
-  const int index = (brick.z * medium.brick_ny + brick.y) * medium.brick_nx + brick.x;
-  const int entry = scene.bricks[static_cast<std::size_t>(medium.brick_offset) + static_cast<std::size_t>(index)];
+  const int entry = brick_number(scene, medium, cell);
   return entry == BRICK_EMPTY ? nullptr : &scene.voxels[static_cast<std::size_t>(entry) * BRICK_VALUES];
 }
 
@@ -156,6 +154,20 @@ ivec3 cell_at(const Medium& medium, const dvec3& p) {
   const dvec3 cells(medium.cells_x, medium.cells_y, medium.cells_z);
   const dvec3 last = glm::max(first, glm::min(cells, glm::ceil(vec_promote(medium.hi))) - 1.0);
   return ivec3(glm::clamp(glm::floor(p), first, last));
+}
+
+int brick_number(const PlannedScene& scene, const Medium& medium, const ivec3& cell) {
+  const auto place = [](const ivec3& i, int nx, int ny) {
+    return (static_cast<std::size_t>(i.z) * static_cast<std::size_t>(ny) + static_cast<std::size_t>(i.y)) *
+               static_cast<std::size_t>(nx) +
+           static_cast<std::size_t>(i.x);
+  };
+  const auto blocks = [](int bricks) { return (bricks - 1) / BRICK_BLOCK + 1; };
+  const ivec3 brick = cell / BRICK_CELLS;
+  const std::size_t block = static_cast<std::size_t>(medium.brick_offset) +
+                            place(brick / BRICK_BLOCK, blocks(medium.brick_nx), blocks(medium.brick_ny));
+  return scene
+      .bricks[static_cast<std::size_t>(scene.bricks[block]) + place(brick % BRICK_BLOCK, BRICK_BLOCK, BRICK_BLOCK)];
 }
 
 double density_in_cell(const PlannedScene& scene, const Medium& medium, const ivec3& cell, const dvec3& p) {

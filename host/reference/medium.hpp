@@ -23,6 +23,9 @@ Interval medium_interval(const Medium& medium, const RayD& world, double t_min, 
 // The cell of a position by the half-open rule; beyond the region's border the outermost cell.
 ivec3 cell_at(const Medium& medium, const dvec3& cell_position);
 
+// Number of the stored brick in which a cell of the grid lies, or BRICK_EMPTY.
+int brick_number(const PlannedScene& scene, const Medium& medium, const ivec3& cell);
+
 // Density by the medium's own interpolation; the second form blends the samples of a cell that is already known.
 double density_at(const PlannedScene& scene, const Medium& medium, const dvec3& cell_position);
 double density_in_cell(const PlannedScene& scene, const Medium& medium, const ivec3& cell, const dvec3& cell_position);

@@ -30,13 +30,10 @@ struct Range {
 };
 
 Range range_at(const PlannedScene& scene, const Medium& medium, const dvec3& cell_position) {
-  const ivec3 brick = cell_at(medium, cell_position) / BRICK_CELLS;
-  const auto index = static_cast<std::size_t>(medium.brick_offset) +
-                     (static_cast<std::size_t>(brick.z) * static_cast<std::size_t>(medium.brick_ny) +
-                      static_cast<std::size_t>(brick.y)) *
-                         static_cast<std::size_t>(medium.brick_nx) +
-                     static_cast<std::size_t>(brick.x);
-  return {scene.brick_ranges[2 * index], scene.brick_ranges[2 * index + 1]};
+  const int number = brick_number(scene, medium, cell_at(medium, cell_position));
+  if (number == BRICK_EMPTY) return {0, 0};
+  const auto at = 2 * static_cast<std::size_t>(number);
+  return {scene.brick_ranges[at], scene.brick_ranges[at + 1]};
 }
 
 }  // namespace

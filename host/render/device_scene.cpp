@@ -74,8 +74,8 @@ DeviceScene::Stored& DeviceScene::stored(const RenderPlan& plan) {
         plan.stored ? plan.stored : std::make_shared<const StoredVoxels>(voxels_store(flat_, plan.storage, voxels));
   }
   if (!stored.voxels())
-    stored.voxels = packs ? upload(context_, name_of(SceneBuffer::voxels), stored.host->packed)
-                          : upload(context_, name_of(SceneBuffer::voxels), flat_.voxels);
+    stored.voxels = packs ? context_.buffer_over(name_of(SceneBuffer::voxels), stored.host->packed)
+                          : context_.buffer_over(name_of(SceneBuffer::voxels), flat_.voxels);
   if (reads_ranges(plan) && !stored.ranges())
     stored.ranges = upload(context_, name_of(SceneBuffer::ranges), packs ? stored.host->ranges : flat_.brick_ranges);
   return stored;

@@ -22,7 +22,7 @@ using SceneBuffers = std::array<cl::Buffer, static_cast<std::size_t>(SceneBuffer
 
 class DeviceScene {
  public:
-  // `scene` and `context` outlive it.
+  // `scene`, unchanged, and `context` outlive it: a CPU reads voxels in place.
   DeviceScene(Context& context, const FlatScene& scene);
 
   const FlatScene& flat() const { return flat_; }
@@ -33,7 +33,7 @@ class DeviceScene {
 
  private:
   struct Stored {
-    std::shared_ptr<const StoredVoxels> host;  // until the ranges are uploaded too; null for f32
+    std::shared_ptr<const StoredVoxels> host;  // what the buffers lie over; null for f32
     cl::Buffer voxels, ranges;
   };
   Stored& stored(const RenderPlan& plan);

@@ -42,7 +42,9 @@ using Progress = std::function<bool(double)>;
 class Renderer {
  public:
   // Builds and uploads. `scene.bvh_width` must suit the lanes (a multiple of them).
+  // The scene must outlive this, unchanged.
   Renderer(Context& context, const PlannedScene& scene, const RenderOptions& options);
+  Renderer(Context&, PlannedScene&&, const RenderOptions&) = delete;
   // The same for one of several plans of a scene that was uploaded: only what the plan itself holds is uploaded.
   Renderer(Context& context, std::shared_ptr<DeviceScene> scene, const RenderPlan& plan, const RenderOptions& options);
   ~Renderer();

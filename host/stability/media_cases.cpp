@@ -127,11 +127,13 @@ void huge_grid(StabilityRun& run) {
   m.cell_from_world = cells;
   m.world_from_cell = world;
   scene.walks[0].step = 1e-3f;
-  const std::size_t bricks = std::size_t(256) * 128 * 128;
-  scene.bricks.assign(bricks, BRICK_EMPTY);
-  scene.brick_ranges.assign(2 * bricks, 0.0f);
+  // 32 x 16 x 16 blocks of bricks share the entries of an empty one, but for the last.
+  const int blocks = 32 * 16 * 16;
+  scene.bricks.assign(blocks, blocks);
+  scene.bricks.back() += BRICK_BLOCK_ENTRIES;
+  scene.bricks.resize(blocks + 2 * BRICK_BLOCK_ENTRIES, BRICK_EMPTY);
   scene.bricks.back() = 0;
-  scene.brick_ranges.back() = 100.0f;
+  scene.brick_ranges = {0.0f, 100.0f};
   scene.voxels.assign(BRICK_VALUES, 100.0f);
   StabilityRays rays;
   rays.through({0.998, 0.993, 0.995}, {1, 0, 0});

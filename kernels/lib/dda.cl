@@ -3,7 +3,7 @@
 // axis: which one comes next is a coin toss that a processor loses at 15 cycles each.
 #ifndef BRUME_LIB_DDA_CL
 #define BRUME_LIB_DDA_CL
-#include "lib/medium.cl"
+#include "lib/bricks.cl"
 
 // One axis. Cells and bricks are whole numbers kept as floats: all arithmetic with them is exact below 2^24.
 typedef struct {
@@ -19,6 +19,7 @@ typedef struct {
   float s;          // all before this is done
   float end;        // end of the ray inside the medium
   float brick_end;  // end of the current stored brick; <= s: find the next one
+  int number;       // of the current brick's samples
   int base;         // of the current brick, see Segments
 #if BRUME_STORAGE == 2
   float zero, part;  // of the current brick, see Segments
@@ -69,6 +70,7 @@ static inline Dda dda_begin(const Medium* medium, const MediumRay* ray, float s)
   d.s = s;
   d.end = ray->length;
   d.brick_end = 0.0f;
+  d.number = 0;
   d.base = 0;
   d.begun = 0;
   return d;
@@ -94,19 +96,10 @@ static inline int dda_step_brick(const Medium* medium, Dda* d) {
          axis_inside(&d->z, medium->brick_nz);
 }
 
-// Number of the current brick among all bricks of the scene.
-static inline int dda_brick_index(const Medium* medium, const Dda* d) {
-  const int x = (int)d->x.brick, y = (int)d->y.brick, z = (int)d->z.brick;
-  return medium->brick_offset + (z * medium->brick_ny + y) * medium->brick_nx + x;
+// Number of the current brick's samples, or BRICK_EMPTY.
+static inline int dda_brick_entry(const Scene* scene, const Medium* medium, const Dda* d) {
+  return brick_entry(scene, medium, (int)d->x.brick, (int)d->y.brick, (int)d->z.brick);
 }
-
-#if BRUME_STORAGE == 2
-// Of a brick: density = x + y * what is stored.
-static inline float2 brick_scale(const Scene* scene, int index) {
-  const float2 range = vload2(index, scene->ranges);
-  return (float2)(range.x, (range.y - range.x) / 255.0f);
-}
-#endif
 
 // What segment i of a walk takes from the brick in which the walk stands.
 static inline void dda_brick_store(const Dda* d, int i, Segments* out) {
@@ -124,12 +117,13 @@ static inline int dda_next_brick(const Scene* scene, const Medium* medium, Dda* 
   d->begun = 1;
   for (; inside && d->s < d->end; inside = dda_step_brick(medium, d)) {
     const float exit = fmin(dda_brick_exit(d), d->end);
-    const int entry = scene->bricks[dda_brick_index(medium, d)];
+    const int entry = dda_brick_entry(scene, medium, d);
     if (entry != BRICK_EMPTY && exit > d->s) {
       d->brick_end = exit;
-      d->base = entry * BRICK_VALUES - BRICK_CELLS * brick_stride((int)d->x.brick, (int)d->y.brick, (int)d->z.brick);
+      d->number = entry;
+      d->base = brick_base(entry, (int)d->x.brick, (int)d->y.brick, (int)d->z.brick);
 #if BRUME_STORAGE == 2
-      const float2 scale = brick_scale(scene, dda_brick_index(medium, d));
+      const float2 scale = brick_scale(scene, entry);
       d->zero = scale.x;
       d->part = scale.y;
 #endif

@@ -144,21 +144,26 @@ static inline floatW density_nearest(__global const voxel_t* voxels, const Mediu
   return density_of(at, here);
 }
 
-static inline floatW density_trilinear(__global const voxel_t* voxels, const MediumRay* ray, const Segments* at,
-                                       floatW s, int reach) {
-  const Lookup l = lookup_at(ray, at, s, reach);
+// The eight samples of a lookup blended, as stored.
+static inline floatW lookup_blend(__global const voxel_t* voxels, const Lookup* l) {
   floatW a, b;
-#define ALONG_X(out, offset)                           \
-  voxels_gather2(voxels, l.sample + (offset), &a, &b); \
-  const floatW out = mad_exact(l.fx, b - a, a)
+#define ALONG_X(out, offset)                            \
+  voxels_gather2(voxels, l->sample + (offset), &a, &b); \
+  const floatW out = mad_exact(l->fx, b - a, a)
   ALONG_X(v00, 0);
   ALONG_X(v10, brick_stride(0, 1, 0));
   ALONG_X(v01, brick_stride(0, 0, 1));
   ALONG_X(v11, brick_stride(0, 1, 1));
 #undef ALONG_X
-  const floatW v0 = mad_exact(l.fy, v10 - v00, v00);
-  const floatW v1 = mad_exact(l.fy, v11 - v01, v01);
-  return density_of(at, mad_exact(l.fz, v1 - v0, v0));
+  const floatW v0 = mad_exact(l->fy, v10 - v00, v00);
+  const floatW v1 = mad_exact(l->fy, v11 - v01, v01);
+  return mad_exact(l->fz, v1 - v0, v0);
+}
+
+static inline floatW density_trilinear(__global const voxel_t* voxels, const MediumRay* ray, const Segments* at,
+                                       floatW s, int reach) {
+  const Lookup l = lookup_at(ray, at, s, reach);
+  return density_of(at, lookup_blend(voxels, &l));
 }
 
 #endif

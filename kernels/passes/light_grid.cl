@@ -9,7 +9,7 @@ static inline int bricks_near(const Scene* scene, const Medium* m, float3 p, flo
   for (int z = (int)lo.z; z <= (int)hi.z; ++z)
     for (int y = (int)lo.y; y <= (int)hi.y; ++y)
       for (int x = (int)lo.x; x <= (int)hi.x; ++x)
-        if (scene->bricks[m->brick_offset + (z * m->brick_ny + y) * m->brick_nx + x] != BRICK_EMPTY) return 1;
+        if (brick_entry(scene, m, x, y, z) != BRICK_EMPTY) return 1;
   return 0;
 }
 

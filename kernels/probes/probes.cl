@@ -1,6 +1,7 @@
 // Entry points that run single device functions on arrays, for `brume check` and the kernel tests. All have one form:
 // item i reads its floats of `in` and writes its floats of `out`; host/check knows the strides.
 #include "lib/camera.cl"
+#include "lib/density.cl"
 #include "radiance/material.cl"
 #include "radiance/radiative.cl"
 #include "radiance/surface.cl"
@@ -132,6 +133,21 @@ PROBE(probe_integral) {
   const MediumRay ray = medium_ray(&medium, probe_load3(v + 1), probe_load3(v + 4), v[7]);
   uint lookups = 0;
   out[item] = walk_total(&scene, &medium, &ray, random_begin(frame, item, 0), 0.0f, &lookups);
+}
+
+// in: medium as bits, 16 points in its cell space. out: their densities
+#define PROBE_POINTS 16
+PROBE(probe_density) {
+  PROBE_ITEM;
+  __global const float* v = in + (1 + 3 * PROBE_POINTS) * item;
+  const Medium medium = media[as_int(v[0])];
+  for (int first = 0; first < PROBE_POINTS; first += W) {
+    float p[3][W], density[W];
+    for (int i = 0; i < W; ++i)
+      for (int axis = 0; axis < 3; ++axis) p[axis][i] = v[1 + 3 * (first + i) + axis];
+    lanes_store(density_at(&scene, &medium, lanes_load(p[0]), lanes_load(p[1]), lanes_load(p[2])), density);
+    for (int i = 0; i < W; ++i) out[PROBE_POINTS * item + first + i] = density[i];
+  }
 }
 
 // in: origin, direction, t_max. out: radiance and transmittance of all media

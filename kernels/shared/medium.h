@@ -13,13 +13,21 @@
 #define BRICK_VALUES (BRICK_SAMPLES * BRICK_SAMPLES * BRICK_SAMPLES)
 #define BRICK_EMPTY (-1)  // entry of a brick whose samples are all zero: not stored
 
+// The index is cut into blocks of bricks too.
+#define BRICK_BLOCK_SHIFT 3
+#define BRICK_BLOCK (1 << BRICK_BLOCK_SHIFT)  // bricks along a side
+#define BRICK_BLOCK_ENTRIES (BRICK_BLOCK * BRICK_BLOCK * BRICK_BLOCK)
+
 BRUME_SHARED_BEGIN
 enum MediumRegion { REGION_BOX, REGION_SPHERE };  // sphere: the ellipsoid inscribed in [lo, hi]; only for `constant`
 
 // A grid cut into bricks, wherever it stands and however many media show it.
-// bricks:  ints, entry of brick (bx,by,bz) at brick_offset + (bz*brick_ny + by)*brick_nx + bx: number b of its stored samples,
-//          which begin at voxels[b * BRICK_VALUES], or BRICK_EMPTY. Bricks of one constant value share one stored brick.
-// ranges:  2 floats (min, max of the samples) per brick at the same index.
+// bricks:  ints, the index, of two levels. Block (b >> 3) of brick b: where in `bricks` its entries begin stands at
+//          brick_offset + (z * blocks_y + y) * blocks_x + x, blocks = ceil(brick_n / 8). Entry of brick b, at that
+//          + ((z & 7) * 8 + (y & 7)) * 8 + (x & 7): number n of its stored samples, which begin at
+//          voxels[n * BRICK_VALUES], or BRICK_EMPTY. Blocks of the same entry throughout share them; bricks of one
+//          constant value share their samples.
+// ranges:  2 floats (min, max of the samples) per stored brick.
 typedef struct {
   int brick_offset;
   int cells_x, cells_y, cells_z;     // cells of the grid; cells outside a medium's [lo, hi] may exist as padding

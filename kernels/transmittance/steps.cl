@@ -63,8 +63,7 @@ static inline void steps_fill(const Scene* scene, const Medium* medium, const Me
     const floatW by = steps_brick(place, ray->origin.y, ray->dir.y, medium->brick_ny);
     const floatW bz = steps_brick(place, ray->origin.z, ray->dir.z, medium->brick_nz);
     const intW x = lanes_to_int(bx), y = lanes_to_int(by), z = lanes_to_int(bz);
-    const intW index = medium->brick_offset + (z * medium->brick_ny + y) * medium->brick_nx + x;
-    const intW entry = lanes_gather_int(scene->bricks, index);
+    const intW entry = brick_entries(scene, medium, x, y, z);
     const intW used = (number < (floatW)((float)s->count)) & (entry != (intW)(BRICK_EMPTY));
     if (!lanes_any(used)) {
       s->next = steps_skip(scene, medium, ray, s);
@@ -75,16 +74,16 @@ static inline void steps_fill(const Scene* scene, const Medium* medium, const Me
     lanes_store(number * s->size, out->begin);
     lanes_store(place, out->place);
     lanes_store(lanes_select((floatW)(0.0f), (floatW)(s->size), used), out->size);
-    lanes_store(brick * BRICK_VALUES - BRICK_CELLS * brick_stride(x, y, z), out->base);
+    lanes_store(brick_base(brick, x, y, z), out->base);
     lanes_store(bx * BRICK_CELLS, out->x);
     lanes_store(by * BRICK_CELLS, out->y);
     lanes_store(bz * BRICK_CELLS, out->z);
     out->count = (int)lanes_sum(lanes_select((floatW)(0.0f), (floatW)(1.0f), used));
 #if BRUME_STORAGE == 2
-    int at[W];
-    lanes_store(index, at);
+    int its[W];
+    lanes_store(brick, its);
     for (int i = 0; i < W; ++i) {
-      const float2 scale = brick_scale(scene, at[i]);
+      const float2 scale = brick_scale(scene, its[i]);
       out->zero[i] = scale.x;
       out->part[i] = scale.y;
     }

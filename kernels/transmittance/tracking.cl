@@ -56,7 +56,7 @@ static inline void track_fill(const Scene* scene, const Medium* medium, Dda* d, 
       t->trailing = 0;
       break;
     }
-    const float2 range = vload2(dda_brick_index(medium, d), scene->ranges);
+    const float2 range = vload2(d->number, scene->ranges);
     const float low = t->residual ? range.x : 0.0f;
     const float rate = t->sigma * (t->only_tau ? range.y - low : range.y);
     const float rest = d->brick_end - d->s;

@@ -143,7 +143,7 @@ TEST(CheckNames, HoldEveryRowOfEveryFamily) {
 // A shape that the scene "surfaces" lacks is compared as its keys' defaults make it.
 TEST(RowScenes, AShapeIsOfItsType) {
   for (int type = 0; type < SHAPE_COUNT; ++type) {
-    const FlatScene scene = row_scene(shape_desc(type), "shape", 8, 8);
+    const PlannedScene scene = row_scene(shape_desc(type), "shape", 8, 8);
     ASSERT_EQ(scene.shapes.size(), 1u);
     EXPECT_EQ(scene.shapes[0].type, type);
   }

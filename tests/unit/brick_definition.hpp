@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <map>
 
+#include "flat/bricks.hpp"
 #include "flat/flatten.hpp"
 #include "flat/flatten_parts.hpp"
 #include "volume/grid.hpp"
@@ -34,16 +35,17 @@ inline double sample_of(const Grid& grid, ivec3 s, bool trilinear) {
   return grid.at(glm::clamp(s, ivec3(0), grid.size() - 1));
 }
 
-inline std::size_t brick_index(const Medium& m, ivec3 b) {
-  return static_cast<std::size_t>(m.brick_offset) +
-         (static_cast<std::size_t>(b.z) * static_cast<std::size_t>(m.brick_ny) + static_cast<std::size_t>(b.y)) *
-             static_cast<std::size_t>(m.brick_nx) +
-         static_cast<std::size_t>(b.x);
+// Number of the samples of brick b, from the definition of the index.
+inline int brick_number(const FlatScene& scene, const Medium& m, ivec3 b) {
+  const ivec3 block = b / 8, in = b % 8, blocks((m.brick_nx + 7) / 8, (m.brick_ny + 7) / 8, 0);
+  const auto begin = static_cast<std::size_t>(
+      scene.bricks.at(static_cast<std::size_t>(m.brick_offset + (block.z * blocks.y + block.y) * blocks.x + block.x)));
+  return scene.bricks.at(begin + static_cast<std::size_t>((in.z * 8 + in.y) * 8 + in.x));
 }
 
 // Sample i, 0 ... 8 on each axis, of brick b.
-inline double stored_sample(const PlannedScene& scene, const Medium& m, ivec3 b, ivec3 i) {
-  const int number = scene.bricks.at(brick_index(m, b));
+inline double stored_sample(const FlatScene& scene, const Medium& m, ivec3 b, ivec3 i) {
+  const int number = brick_number(scene, m, b);
   if (number == BRICK_EMPTY) return 0;
   return scene.voxels.at(static_cast<std::size_t>(number) * BRICK_VALUES +
                          static_cast<std::size_t>(i.x + BRICK_SAMPLES * (i.y + BRICK_SAMPLES * i.z)));
@@ -62,6 +64,7 @@ inline void expect_bricks_of(const Grid& grid, const PlannedScene& scene, const 
   const ivec3 cells(m.cells_x, m.cells_y, m.cells_z), bricks(m.brick_nx, m.brick_ny, m.brick_nz);
   ASSERT_EQ(cells, grid.size() + (trilinear ? 1 : 0));
   for (int axis = 0; axis < 3; ++axis) ASSERT_EQ(bricks[axis], std::ceil(cells[axis] / 8.0));
+  EXPECT_EQ(scene.brick_ranges.size() * BRICK_VALUES, 2 * scene.voxels.size());
   const ivec3 reads(trilinear ? 2 : 1);  // samples that one cell reads, on each axis
   dvec3 lo(1e9), hi(-1e9);               // around the cells that are not 0
   for_each(bricks, [&](ivec3 b) {
@@ -80,10 +83,12 @@ inline void expect_bricks_of(const Grid& grid, const PlannedScene& scene, const 
       lo = glm::min(lo, dvec3(8 * b + c));
       hi = glm::max(hi, dvec3(8 * b + c + 1));
     });
-    const std::size_t index = brick_index(m, b);
-    EXPECT_EQ(scene.bricks.at(index) == BRICK_EMPTY, max == 0);
-    EXPECT_EQ(scene.brick_ranges.at(2 * index), min) << b.x << " " << b.y << " " << b.z;
-    EXPECT_EQ(scene.brick_ranges.at(2 * index + 1), max) << b.x << " " << b.y << " " << b.z;
+    const int number = brick_number(scene, m, b);
+    EXPECT_EQ(brick_entry(scene, m, b), number);
+    EXPECT_EQ(number == BRICK_EMPTY, max == 0);
+    if (number == BRICK_EMPTY) return;
+    EXPECT_EQ(scene.brick_ranges.at(2 * static_cast<std::size_t>(number)), min) << b.x << " " << b.y << " " << b.z;
+    EXPECT_EQ(scene.brick_ranges.at(2 * static_cast<std::size_t>(number) + 1), max) << b.x << " " << b.y << " " << b.z;
   });
   if (hi.x < 0) return;
   // The region: the cells that are not 0, within the grid's own bounds. A CLAMP grid ends half a cell inside its outermost cells.

@@ -118,8 +118,16 @@ inline MediumRows medium_add_grid(PlannedScene& scene, const glm::ivec3& cells, 
   medium.walk.method = interpolation == INTERPOLATION_NEAREST ? METHOD_DDA_NEAREST : METHOD_DDA_GAUSS2;
   const glm::ivec3 n = (cells + BRICK_CELLS - 1) / BRICK_CELLS;
   scene.grids.push_back({static_cast<int>(scene.bricks.size()), cells.x, cells.y, cells.z, n.x, n.y, n.z});
+  const glm::ivec3 blocks = (n + 7) / 8;
+  const auto index = scene.bricks.size();
+  scene.bricks.resize(index + static_cast<std::size_t>(blocks.x * blocks.y * blocks.z), 0);
+  for (std::size_t block = index, end = scene.bricks.size(); block < end; ++block) {
+    scene.bricks[block] = static_cast<int>(scene.bricks.size());
+    scene.bricks.resize(scene.bricks.size() + 512, BRICK_EMPTY);
+  }
   for (int b = 0; b < n.x * n.y * n.z; ++b) {
-    const glm::ivec3 first = glm::ivec3(b % n.x, b / n.x % n.y, b / (n.x * n.y)) * BRICK_CELLS;
+    const glm::ivec3 brick(b % n.x, b / n.x % n.y, b / (n.x * n.y)), first = brick * BRICK_CELLS;
+    const glm::ivec3 block = brick / 8, in = brick % 8;
     std::vector<float> samples;
     bool empty = true;
     for (int i = 0; i < BRICK_VALUES; ++i) {
@@ -127,8 +135,14 @@ inline MediumRows medium_add_grid(PlannedScene& scene, const glm::ivec3& cells, 
       samples.push_back(static_cast<float>(density(first + s)));
       empty = empty && samples.back() == 0;
     }
-    scene.bricks.push_back(empty ? BRICK_EMPTY : static_cast<int>(scene.voxels.size() / BRICK_VALUES));
-    if (!empty) scene.voxels.insert(scene.voxels.end(), samples.begin(), samples.end());
+    if (empty) continue;
+    const int begin =
+        scene.bricks[index + static_cast<std::size_t>((block.z * blocks.y + block.y) * blocks.x + block.x)];
+    scene.bricks[static_cast<std::size_t>(begin + (in.z * 8 + in.y) * 8 + in.x)] =
+        static_cast<int>(scene.voxels.size() / BRICK_VALUES);
+    scene.voxels.insert(scene.voxels.end(), samples.begin(), samples.end());
+    const auto [min, max] = std::minmax_element(samples.begin(), samples.end());
+    scene.brick_ranges.insert(scene.brick_ranges.end(), {*min, *max});
   }
   return medium;
 }

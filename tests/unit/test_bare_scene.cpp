@@ -49,7 +49,7 @@ TEST(DensestView, NoOtherRaySeesMore) {
     grid.world_from_lattice = glm::rotate(glm::scale(dmat4(1), dvec3(1, 0.5, 0.1)), uniform(random), dvec3(1, 2, 3));
     const dvec3 target(grid.world_from_lattice * glm::dvec4(20, 15, 10, 1)), eye = target + dvec3(10, 20, 80);
     const double densest = grid_densest_view(grid, eye, target);
-    const std::vector<ivec3> blocks = grid_blocks(grid);
+    const GridBlocks blocks = grid_blocks(grid);
     double seen = 0;
     for (int i = 0; i < 20000; ++i) {
       const dvec3 lattice(40 * uniform(random), 30 * uniform(random), 20 * uniform(random));

@@ -36,7 +36,7 @@ TEST(ReferenceDensity, TrilinearReproducesAMultilinearField) {
 
 TEST(ReferenceDensity, EmptyBricksAreZero) {
   const PlannedScene scene = grid_scene({16, 8, 8}, INTERPOLATION_NEAREST, [](ivec3 s) { return s.x > 8 ? 2 : 0; });
-  ASSERT_EQ(scene.bricks[0], BRICK_EMPTY);
+  ASSERT_EQ(brick_number(scene, scene.medium(0), {0, 0, 0}), BRICK_EMPTY);
   EXPECT_EQ(density_at(scene, scene.medium(0), {3, 3, 3}), 0);
   EXPECT_DOUBLE_EQ(optical_depth(scene, 0, ray_of({-1, 4.5, 4.5}, {1, 0, 0}), INFINITE, METHOD_DDA_NEAREST), 14);
 }

@@ -1,5 +1,5 @@
-// Depth of the media beside one along a view ray: each is walked once over the stretch of a whole batch of segments, and how far its own
-// segments have come where those of the batch begin and end follows from how ∫ρ grows inside of each.
+// Depth of the media beside one along a view ray: each is walked once over the stretch of a whole batch of segments, and
+// how far its own segments have come where those of the batch begin and end follows from how ∫ρ grows inside of each.
 #ifndef BRUME_RADIANCE_OTHERS_CL
 #define BRUME_RADIANCE_OTHERS_CL
 #include "radiance/tau.cl"
@@ -51,8 +51,9 @@ static inline Beside beside_constant(const Medium* medium, float from, float unt
 }
 
 // Of a medium over [from, until] of its own s, in which begin and end of the segments lie; what is behind `until` is left out.
-static inline Beside beside_walk(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random,
-                                 float from, float until, floatW begin, floatW end, uint* lookups) {
+OUTLINED Beside beside_walk(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random, float from,
+                            float until, floatW begin, floatW end, uint* lookups) {
+  const int whole = WALKED_IS(medium, STEPS) || RULE_IS(medium, MIDPOINT);  // segments may begin before `from`
   Beside out = {(floatW)(0.0f), (floatW)(0.0f)};
   Walk walk = walk_within(medium, ray, random, from, until);
   Segments at;
@@ -61,11 +62,13 @@ static inline Beside beside_walk(const Scene* scene, const Medium* medium, const
     if (at.count == 0) return out;
     if (RULE_IS(medium, MIDPOINT)) cells_whole(ray, &at);
     const Growth growth = growth_of(scene, medium, ray, &at);
-    *lookups += walk_lookups(medium, &at);
+    *lookups += (uint)at.count;
+    __attribute__((opencl_unroll_hint(1)))  // unrolled it would take as long to compile as the walk
     for (int i = 0; i < W; ++i) {
       if (!(growth.inv_size[i] > 0.0f)) continue;
       const floatW first = growth_at(&growth, i, begin);
-      out.before += first - growth_at(&growth, i, (floatW)(from));
+      out.before += first;
+      if (whole && growth.begin[i] < from) out.before -= growth_at(&growth, i, (floatW)(from));
       out.along += growth_at(&growth, i, end) - first;
     }
   }

@@ -13,7 +13,7 @@ static inline floatW dda_gauss2_integral(const Medium* medium, __global const vo
   return 0.5f * size * sum;
 }
 
-// The density along a segment as (a[0] + a[1] u) + (f + d u) ((b[0] - a[0]) + (b[1] - a[1]) u), u from 0 to 1: from one axis to the next.
+// a(u) + (f + d u) (b(u) - a(u)): a blend of two polynomials of this degree along one axis, f + d u being the place along it.
 static inline void lerp_cubic(floatW f, floatW d, const floatW* a, const floatW* b, int degree, floatW* out) {
   for (int k = 0; k <= degree; ++k) out[k] = mad_exact(f, b[k] - a[k], a[k]);
   out[degree + 1] = (floatW)(0.0f);

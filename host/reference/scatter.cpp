@@ -92,7 +92,7 @@ Scattered media_scatter(const Context& context, const RayD& ray, double t_max, c
   if (context.exact()) return media_scatter_exact(context, ray, t_max);
   Scattered result;
   for (int medium = 0; medium < static_cast<int>(context.media.size()); ++medium) {
-    medium_scatter(context, medium, ray, t_max, random.child(static_cast<uint>(medium)), result);
+    medium_scatter(context, medium, ray, t_max, random, result);
   }
   return result;
 }

@@ -94,7 +94,7 @@ dvec3 sent_from(const Context& context, const Segment& at, const RayD& ray, Scat
   return vec_promote(medium.sigma_s) * source_at(context, at, ray, result) + vec_promote(medium.emission);
 }
 
-// τ of the other media along a view ray: the sum of its pieces from one asked place to the next.
+// τ of the other media along a view ray where a medium is tracked: an estimate from one asked place to the next.
 struct Others {
   const Context& context;
   int medium;
@@ -109,6 +109,43 @@ struct Others {
   }
 };
 
+// τ of one medium from the origin of a view ray to any t: it is walked once, by its own method.
+class DepthAlong {
+ public:
+  DepthAlong(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& walk,
+             double& lookups)
+      : scene_(context.scene), medium_(context.media[static_cast<std::size_t>(index)]), ray_(ray) {
+    gauss2_ = method_rule(context.method(medium_)) == RULE_GAUSS2;
+    segments_ = segments(scene_, index, ray, 0, t_max, context.method(medium_), walk);
+    for (const SegmentD& segment : segments_) before_.push_back(before_.back() + segment.density_length);
+    lookups += static_cast<double>(segments_.size()) * segment_lookups(medium_, context.method(medium_));
+  }
+
+  dvec3 to(double t) const {
+    const auto next = std::partition_point(segments_.begin(), segments_.end(),
+                                           [t](const SegmentD& segment) { return segment.t_begin < t; });
+    if (next == segments_.begin()) return dvec3(0);
+    const auto before = before_[static_cast<std::size_t>(next - segments_.begin()) - 1];
+    return sigma_t_of(medium_) * (before + inside(*std::prev(next), t));
+  }
+
+ private:
+  // ∫ρ from where a segment begins to t: as its rule knows the density there, exactly or evenly.
+  double inside(SegmentD segment, double t) const {
+    if (t >= segment.t_end) return segment.density_length;
+    if (!gauss2_) return segment.density_length * (t - segment.t_begin) / (segment.t_end - segment.t_begin);
+    segment.t_end = t;
+    return density_length_gauss2(scene_, medium_, ray_, segment);
+  }
+
+  const PlannedScene& scene_;
+  const Medium& medium_;
+  RayD ray_;
+  bool gauss2_;
+  std::vector<SegmentD> segments_;
+  std::vector<double> before_{0};  // ∫ρ up to each
+};
+
 double largest(const dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 // A walk through one medium that is not tracked, as ARCHITECTURE.md cuts it into segments and dense ones into parts.
@@ -121,20 +158,25 @@ struct SegmentWalk {
   bool takes_ends;  // no medium is tracked
   dvec3 sigma_t, own_tau{0};
   Others others;
+  std::vector<DepthAlong> depths;  // of the other media, where none is tracked
   Scattered& result;
 
   // τ of the other media up to where light is asked for, and along the segment.
-  std::pair<dvec3, dvec3> beside(Others& from, const SegmentD& segment) {
-    const RandomStream random = walk.child(segment.id);
-    if (!takes_ends) return {from.advance(segment.sample, random.child(STREAM_OTHERS), result.lookups), dvec3(0)};
-    const dvec3 begin = from.advance(segment.t_begin, random.child(STREAM_OTHERS), result.lookups);
-    return {begin, from.advance(segment.t_end, random.child(STREAM_OTHERS + 1), result.lookups) - begin};
+  std::pair<dvec3, dvec3> beside(const SegmentD& segment) {
+    if (!takes_ends)
+      return {others.advance(segment.sample, walk.child(segment.id).child(STREAM_OTHERS), result.lookups), dvec3(0)};
+    dvec3 before(0), along(0);
+    for (const DepthAlong& other : depths) {
+      before += other.to(segment.t_begin);
+      along += other.to(segment.t_end) - other.to(segment.t_begin);
+    }
+    return {before, along};
   }
 
   double parts_of(const SegmentD& segment) {
     if (rule != IN_SCATTERING_SEGMENT) return 1;
-    Others ahead = others;
-    const double depth = largest(sigma_t * segment.density_length + beside(ahead, segment).second);
+    const dvec3 along = takes_ends ? beside(segment).second : dvec3(0);
+    const double depth = largest(sigma_t * segment.density_length + along);
     return std::clamp(std::ceil(depth * 8 - 1.0 / 1024), 1.0, 256.0);
   }
 
@@ -154,7 +196,7 @@ struct SegmentWalk {
 
   // False: roulette ended the ray.
   bool scatter(const SegmentD& segment) {
-    const auto [other_tau, other_depth] = beside(others, segment);
+    const auto [other_tau, other_depth] = beside(segment);
     const dvec3 depth = sigma_t * segment.density_length + other_depth, before = own_tau + other_tau;
     const bool dense =
         takes_ends && rule == IN_SCATTERING_SEGMENT && largest(depth) > (medium.is_constant ? 1.0 / 512 : 1.0 / 16);
@@ -186,28 +228,34 @@ struct SegmentWalk {
   }
 };
 
-void medium_segments(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& walk,
+void medium_segments(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& random,
                      Scattered& result) {
   const Medium& medium = context.media[static_cast<std::size_t>(index)];
   SegmentWalk scattering{context,
-                         medium,
-                         index,
-                         context.method(medium),
-                         context.scene.frame.in_scattering,
-                         ray,
-                         walk,
-                         context.scene.frame.takes_ends != 0,
-                         sigma_t_of(medium),
-                         dvec3(0),
-                         {context, index, ray},
-                         result};
+                        medium,
+                        index,
+                        context.method(medium),
+                        context.scene.frame.in_scattering,
+                        ray,
+                        random.child(static_cast<uint>(index)),
+                        context.scene.frame.takes_ends != 0,
+                        sigma_t_of(medium),
+                        dvec3(0),
+                        {context, index, ray},
+                        {},
+                        result};
+  for (int other = 0; scattering.takes_ends && other < static_cast<int>(context.media.size()); ++other)
+    if (other != index)
+      scattering.depths.emplace_back(context, other, ray, t_max, random.child(static_cast<uint>(other)),
+                                     result.lookups);
   scattering.run(t_max);
   result.tau += scattering.own_tau;
 }
 
 // The same by collisions: each is worth ∫ρ in the mean.
-void medium_track(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& walk,
+void medium_track(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& random,
                   Scattered& result) {
+  const RandomStream walk = random.child(static_cast<uint>(index));
   const Medium& medium = context.media[static_cast<std::size_t>(index)];
   const dvec3 sigma_t = sigma_t_of(medium);
   dvec3 transmittance(1);
@@ -229,10 +277,10 @@ void medium_track(const Context& context, int index, const RayD& ray, double t_m
 
 }  // namespace
 
-void medium_scatter(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& walk,
+void medium_scatter(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& random,
                     Scattered& result) {
   const bool tracks = method_tracks(context.media[static_cast<std::size_t>(index)].method);
-  (tracks ? medium_track : medium_segments)(context, index, ray, t_max, walk, result);
+  (tracks ? medium_track : medium_segments)(context, index, ray, t_max, random, result);
 }
 
 }  // namespace brume::reference

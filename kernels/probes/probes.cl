@@ -140,7 +140,7 @@ PROBE(probe_integral) {
 PROBE(probe_density) {
   PROBE_ITEM;
   __global const float* v = in + (1 + 3 * PROBE_POINTS) * item;
-  const Medium medium = media[as_int(v[0])];
+  const Medium medium = medium_load(&scene, as_int(v[0]));
   for (int first = 0; first < PROBE_POINTS; first += W) {
     float p[3][W], density[W];
     for (int i = 0; i < W; ++i)

@@ -52,7 +52,7 @@ static inline void stretch_gains(const Scene* scene, Stretch* s, tau_t sigma_t, 
   const floatW integral = lanes_load(s->integral);
   for (int c = 0; c < TAU_CHANNELS; ++c) {
 #if BRUME_MEDIA == 2
-    before[c] += lanes_load(s->others[c]);
+    before[c] += s->others[c];
 #endif
     s->gain[c] = segment_gain(scene, integral, before[c], s->depth[c]);
   }
@@ -69,8 +69,9 @@ static inline void track_gains(const Scene* scene, Stretch* s, int m, tau_t sigm
   for (int i = 0; i < s->at->count; ++i) {
     const Collision hit = track_collide(s->medium, &s->walk, s->at, i, s->integral[i], sigma_t, tau);
     if (hit.weight > 0.0f) {
-      others_advance(scene, s, m, s->ray->t_begin + s->at->place[i], 0.0f, stretch_random(s, i, STREAM_OTHERS), others,
-                     &result->lookups);
+#if BRUME_MEDIA == 2
+      others_advance(scene, s, m, s->at->place[i], stretch_random(s, i, STREAM_OTHERS), others, &result->lookups);
+#endif
       const tau_t before = hit.before + others->tau;
       for (int c = 0; c < TAU_CHANNELS; ++c) gain[c][i] = hit.weight * exp(-tau_channel(before, c));
     }
@@ -85,13 +86,16 @@ static inline void track_gains(const Scene* scene, Stretch* s, int m, tau_t sigm
 }
 #endif
 
-static inline Stretch stretch_of(const Medium* medium, const MediumRay* ray, float3 origin, float3 dir, Random walk) {
+static inline Stretch stretch_of(const Medium* medium, const MediumRay* ray, float3 origin, float3 dir, float t_max,
+                                 Random random, int m) {
   Stretch s;
   s.medium = medium;
   s.ray = ray;
   s.origin = origin;
   s.dir = dir;
-  s.walk = walk;
+  s.t_max = t_max;
+  s.random = random;
+  s.walk = random_stream(random, (uint)m);
   s.light_t = -INFINITY;
   s.light_tau = (tau_t)(0.0f);
   return s;
@@ -107,8 +111,8 @@ static inline tau_t medium_scatter(const Scene* scene, int m, float3 origin, flo
   tau_t tau = (tau_t)(0.0f);
   if (!(ray.length > 0.0f)) return tau;
   const int cuts = scene->frame->in_scattering == IN_SCATTERING_SEGMENT;
-  Stretch s = stretch_of(&medium, &ray, origin, dir, random_stream(random, (uint)m));
-  Others others = {0.0f, (tau_t)(0.0f)};
+  Stretch s = stretch_of(&medium, &ray, origin, dir, t_max, random, m);
+  Others others = {-ray.t_begin, (tau_t)(0.0f)};
   Segments whole, parts;
   Cut cut;
   cut.lane = W;

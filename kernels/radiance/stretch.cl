@@ -1,7 +1,7 @@
 // A batch of segments along a view ray through one medium, what the other media do along them, and how dense ones are cut.
 #ifndef BRUME_RADIANCE_STRETCH_CL
 #define BRUME_RADIANCE_STRETCH_CL
-#include "radiance/tau.cl"
+#include "radiance/others.cl"
 
 // Collisions estimate exp(-τ) without bias, but nothing else of τ: scenes with trackers take light and the other media at the
 // place of each segment.
@@ -19,7 +19,7 @@
 
 // τ of the media beside one, carried along a view ray.
 typedef struct {
-  float t;  // world distance up to which it is known
+  float s;  // up to where it is known, from where the ray enters the medium that is walked
   tau_t tau;
 } Others;
 
@@ -28,14 +28,16 @@ typedef struct {
   const MediumRay* ray;
   const Segments* at;
   float3 origin, dir;  // world
-  Random walk;         // of the walk through this medium
-  float integral[W];   // ∫ρ over each segment; 0 where no light is asked for
+  float t_max;
+  Random random;      // of the ray,
+  Random walk;        // of the walk through this medium
+  float integral[W];  // ∫ρ over each segment; 0 where no light is asked for
 #if BRUME_RANDOM
   uint id[W];  // names the random numbers of each
 #endif
 #if BRUME_MEDIA == 2
-  float others[TAU_CHANNELS][W];  // τ of the other media up to where each begins,
-  float beside[TAU_CHANNELS][W];  // and over it
+  floatW others[TAU_CHANNELS];  // τ of the other media up to where each begins,
+  floatW beside[TAU_CHANNELS];  // and over it
 #endif
   floatW gain[TAU_CHANNELS];   // ∫ρT over each segment: what each unit of σs S + emission in it sends to the origin
   floatW depth[TAU_CHANNELS];  // τ of all media over each
@@ -57,34 +59,69 @@ static inline float stretch_end(const Stretch* s, int i) {
   return s->ray->t_begin + (s->at->begin[i] + s->at->size[i]);
 }
 
-// τ of the media beside m up to t. What is shorter than `least` waits for the next call: rounding may leave gaps.
-static inline void others_advance(const Scene* scene, const Stretch* s, int m, float t, float least, Random random,
-                                  Others* others, uint* lookups) {
 #if BRUME_MEDIA == 2
-  const float size = t - others->t;
-  if (!(size > least)) return;
-  others->tau += media_tau(scene, m, vec_point(s->origin, s->dir, others->t), s->dir, size, random, lookups);
-  others->t = t;
-#endif
+#if BRUME_TRACKING
+// τ of the media beside m up to s.
+static inline void others_advance(const Scene* scene, const Stretch* stretch, int m, float s, Random random,
+                                  Others* others, uint* lookups) {
+  const float size = s - others->s;
+  if (!(size > 0.0f)) return;
+  const float3 origin = vec_point(stretch->origin, stretch->dir, stretch->ray->t_begin + others->s);
+  others->tau += media_tau(scene, m, origin, stretch->dir, size, random, lookups);
+  others->s = s;
 }
 
-#if BRUME_MEDIA == 2
-static inline void stretch_others(const Scene* scene, Stretch* s, int m, Others* others, uint* lookups) {
+// Up to the place of each segment, one by one: where a medium is tracked, each answer is an estimate of its own.
+static inline void stretch_others_placed(const Scene* scene, Stretch* s, int m, Others* others, uint* lookups) {
+  float before[TAU_CHANNELS][W];
   for (int i = 0; i < W; ++i) {
-    float ends[2] = {stretch_begin(s, i), stretch_end(s, i)};
-    if (!TAKES_ENDS(scene)) ends[0] = s->ray->t_begin + s->at->place[i];
-    tau_t tau[2];
-    for (int end = 0; end < 2; ++end) {
-      if (s->integral[i] > 0.0f && (TAKES_ENDS(scene) || end == 0))
-        others_advance(scene, s, m, ends[end], 0x1p-10f * s->at->size[i],
-                       stretch_random(s, i, STREAM_OTHERS + (uint)end), others, lookups);
-      tau[end] = others->tau;
-    }
-    for (int c = 0; c < TAU_CHANNELS; ++c) {
-      s->others[c][i] = tau_channel(tau[0], c);
-      s->beside[c][i] = tau_channel(tau[1], c) - tau_channel(tau[0], c);
-    }
+    if (s->integral[i] > 0.0f)
+      others_advance(scene, s, m, s->at->place[i], stretch_random(s, i, STREAM_OTHERS), others, lookups);
+    for (int c = 0; c < TAU_CHANNELS; ++c) before[c][i] = tau_channel(others->tau, c);
   }
+  for (int c = 0; c < TAU_CHANNELS; ++c) s->others[c] = lanes_load(before[c]);
+}
+#endif
+
+// Adds what medium m brings to others, beside and, from the last segment that counts, to *tau.
+static inline void stretch_other(const Scene* scene, Stretch* s, int m, float from, int last, tau_t* tau,
+                                 uint* lookups) {
+  const Medium medium = medium_load(scene, m);
+  const tau_t sigma_t = medium_sigma_t(&medium);
+  if (!(tau_max(sigma_t) > 0.0f)) return;
+  const MediumRay ray = medium_ray(&medium, s->origin, s->dir, s->t_max);
+  const floatW begin = lanes_load(s->at->begin), end = begin + lanes_load(s->at->size);
+  const Beside beside = beside_of(scene, &medium, &ray, random_stream(s->random, (uint)m), s->ray->t_begin, from,
+                                  s->at->begin[last] + s->at->size[last], begin, end, lookups);
+  float until[W];
+  lanes_store(beside.before + beside.along, until);
+  *tau += sigma_t * until[last];
+  for (int c = 0; c < TAU_CHANNELS; ++c) {
+    s->others[c] += tau_channel(sigma_t, c) * beside.before;
+    s->beside[c] += tau_channel(sigma_t, c) * beside.along;
+  }
+}
+
+// Of the media beside m up to and over each segment that counts.
+static inline void stretch_others(const Scene* scene, Stretch* s, int m, Others* others, uint* lookups) {
+  int last = -1;
+  for (int i = 0; i < W; ++i) last = s->integral[i] > 0.0f ? i : last;
+  for (int c = 0; c < TAU_CHANNELS; ++c) {
+    s->others[c] = (floatW)(tau_channel(others->tau, c));
+    s->beside[c] = (floatW)(0.0f);
+  }
+  if (last < 0) return;
+#if BRUME_TRACKING
+  if (!TAKES_ENDS(scene)) {
+    stretch_others_placed(scene, s, m, others, lookups);
+    return;
+  }
+#endif
+  for (int other = 0; other < MEDIA_END(scene); ++other)
+    if (other != m) stretch_other(scene, s, other, others->s, last, &others->tau, lookups);
+  others->s = s->at->begin[last] + s->at->size[last];
+  const intW counts = lanes_load(s->integral) > (floatW)(0.0f);
+  for (int c = 0; c < TAU_CHANNELS; ++c) s->beside[c] = lanes_select((floatW)(0.0f), s->beside[c], counts);
 }
 #endif
 
@@ -94,7 +131,7 @@ static inline void stretch_depths(Stretch* s, tau_t sigma_t) {
   for (int c = 0; c < TAU_CHANNELS; ++c) {
     s->depth[c] = tau_channel(sigma_t, c) * integral;
 #if BRUME_MEDIA == 2
-    s->depth[c] += lanes_load(s->beside[c]);
+    s->depth[c] += s->beside[c];
 #endif
   }
 }

@@ -43,4 +43,26 @@ static inline void cells_fill(const Scene* scene, const Medium* medium, const Me
   segments_pad(out);
 }
 
+static inline void axis_whole(float origin, float dir, float length, floatW cell, floatW* enter, floatW* leave) {
+  if (!(fabs(dir) * length > 1e-30f)) return;
+  const float inv_dir = 1.0f / dir;
+  const floatW a = (cell - origin) * inv_dir, b = (cell + 1.0f - origin) * inv_dir;
+  *enter = fmax(*enter, fmin(a, b));
+  *leave = fmin(*leave, fmax(a, b));
+}
+
+// Of segments that are cut to a part of the ray the whole, from face to face.
+static inline void cells_whole(const MediumRay* ray, Segments* at) {
+  const floatW begin = lanes_load(at->begin), size = lanes_load(at->size);
+  floatW enter = (floatW)(0.0f), leave = (floatW)(ray->length);
+  axis_whole(ray->origin.x, ray->dir.x, ray->length, lanes_load(at->x), &enter, &leave);
+  axis_whole(ray->origin.y, ray->dir.y, ray->length, lanes_load(at->y), &enter, &leave);
+  axis_whole(ray->origin.z, ray->dir.z, ray->length, lanes_load(at->z), &enter, &leave);
+  enter = fmin(enter, begin);
+  leave = fmax(leave, begin + size);
+  lanes_store(enter, at->begin);
+  lanes_store(0.5f * (enter + leave), at->place);
+  lanes_store(lanes_select((floatW)(0.0f), leave - enter, size > 0.0f), at->size);
+}
+
 #endif

@@ -41,8 +41,23 @@ static inline Walk walk_begin(const Medium* medium, const MediumRay* ray, Random
   return w;
 }
 
+// The part of a walk for the depth that covers [from, until] of s: steps stay as they are along the whole ray, cells are cut.
+static inline Walk walk_within(const Medium* medium, const MediumRay* ray, Random random, float from, float until) {
+  Walk w;
+  if (WALKED_IS(medium, STEPS)) {
+    w.steps = steps_begin(medium, ray, random, method_share(medium->method), method_jitter(medium->method));
+    w.steps.next = min((int)(from / w.steps.size), w.steps.count);
+    w.steps.count = min((int)ceil(until / w.steps.size), w.steps.count);
+  } else {
+    w.dda = dda_begin(medium, ray, from);
+    w.dda.end = until;
+  }
+  return w;
+}
+
 // The next up to W segments of a medium that is not constant.
-static inline void walk_next_stored(const Scene* scene, const Medium* medium, const MediumRay* ray, Walk* w, Segments* out) {
+static inline void walk_next_stored(const Scene* scene, const Medium* medium, const MediumRay* ray, Walk* w,
+                                    Segments* out) {
   if (WALKED_IS(medium, STEPS)) {
     steps_fill(scene, medium, ray, &w->steps, out);
 #if BRUME_TRACKING

@@ -1,5 +1,5 @@
 // Depth of the media beside one along a view ray: each is walked once over the stretch of a whole batch of segments, and
-// how far its own segments have come where those of the batch begin and end follows from how ∫ρ grows inside of each.
+// how far its segments have come where those of the batch begin and end follows from how ∫ρ grows inside of each.
 #ifndef BRUME_RADIANCE_OTHERS_CL
 #define BRUME_RADIANCE_OTHERS_CL
 #include "radiance/tau.cl"
@@ -50,7 +50,7 @@ static inline Beside beside_constant(const Medium* medium, float from, float unt
   return out;
 }
 
-// Of a medium over [from, until] of its own s, in which begin and end of the segments lie; what is behind `until` is left out.
+// Of a medium over [from, until] of its own s, in which the segments begin and end; what is behind is left out.
 OUTLINED Beside beside_walk(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random, float from,
                             float until, floatW begin, floatW end, uint* lookups) {
   const int whole = WALKED_IS(medium, STEPS) || RULE_IS(medium, MIDPOINT);  // segments may begin before `from`
@@ -74,7 +74,7 @@ OUTLINED Beside beside_walk(const Scene* scene, const Medium* medium, const Medi
   }
 }
 
-// Of medium m from world distance `from` on, where the segments lie in [`from`, `until`] measured like them from `t_begin`.
+// Of any medium. `from`, `until`, begin and end are measured from world distance `t_begin`.
 static inline Beside beside_of(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random,
                                float t_begin, float from, float until, floatW begin, floatW end, uint* lookups) {
   const float shift = t_begin - ray->t_begin;  // 0 for media on one spot, however far the eye

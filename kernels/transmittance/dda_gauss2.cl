@@ -13,7 +13,7 @@ static inline floatW dda_gauss2_integral(const Medium* medium, __global const vo
   return 0.5f * size * sum;
 }
 
-// a(u) + (f + d u) (b(u) - a(u)): a blend of two polynomials of this degree along one axis, f + d u being the place along it.
+// a(u) + (f + d u) (b(u) - a(u)): two polynomials of this degree blended along one axis, on which f + d u is the place.
 static inline void lerp_cubic(floatW f, floatW d, const floatW* a, const floatW* b, int degree, floatW* out) {
   for (int k = 0; k <= degree; ++k) out[k] = mad_exact(f, b[k] - a[k], a[k]);
   out[degree + 1] = (floatW)(0.0f);

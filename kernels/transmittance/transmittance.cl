@@ -41,7 +41,7 @@ static inline Walk walk_begin(const Medium* medium, const MediumRay* ray, Random
   return w;
 }
 
-// The part of a walk for the depth that covers [from, until] of s: steps stay as they are along the whole ray, cells are cut.
+// The part of a walk that covers [from, until] of s: steps stay as they are along the whole ray, cells are cut.
 static inline Walk walk_within(const Medium* medium, const MediumRay* ray, Random random, float from, float until) {
   Walk w;
   if (WALKED_IS(medium, STEPS)) {

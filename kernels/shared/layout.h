@@ -34,7 +34,8 @@
          F(radiance) F(lit) F(normal) F(second) F(lookups) F(shadow_rays) F(sent) F(dropped_rays) F(dropped_weight))   \
   STRUCT(Sample, F(radiance) F(key) F(normal) F(depth) F(transmittance) F(hit) F(first_ray) F(rays) F(lookups)         \
                      F(shadow_rays) F(secondary_rays) F(dropped_rays) F(dropped_weight))                               \
-  STRUCT(FilmPixel, F(radiance) F(samples) F(normal) F(depth) F(transmittance) F(hits) F(lookups) F(key)               \
+  STRUCT(Work, F(pixel) F(first_sample) F(samples) F(first_ray))                                                       \
+  STRUCT(FilmPixel, F(radiance) F(samples) F(squares) F(normal) F(depth) F(transmittance) F(hits) F(lookups) F(key)    \
                         F(shadow_rays) F(secondary_rays) F(dropped_rays) F(dropped_weight) F(invalid) F(clear))
 
 #endif

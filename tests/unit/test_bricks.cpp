@@ -220,7 +220,7 @@ TEST(Bricks, CutWhileTheGridIsGivenBack) {
     Grid grid = filled({20, 70, 200}, Border::ZERO, [&](ivec3) { return uniform(random); });
     const Cut kept(grid, interpolation);
     Cut given(Grid(ivec3(1)), interpolation);
-    given.scene = FlatScene{};
+    given.scene = PlannedScene{};
     bricks_append(std::move(grid), given.medium, given.scene);
     EXPECT_EQ(given.scene.bricks, kept.scene.bricks);
     EXPECT_EQ(given.scene.voxels, kept.scene.voxels);

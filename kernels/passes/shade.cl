@@ -24,8 +24,9 @@ static inline void sample_add_surface(Sample* s, const SurfaceResult* surface) {
   s->dropped_weight += surface->dropped_weight;
 }
 
-OUTLINED void sample_add(const Scene* scene, const Ray* ray, const Hit* hit, const MediumResult* medium,
-                         const SurfaceResult* surface, uint wave, Sample* s) {
+// What one ray brings; counts, key and the camera ray's planes into the sample.
+OUTLINED float3 sample_add(const Scene* scene, const Ray* ray, const Hit* hit, const MediumResult* medium,
+                           const SurfaceResult* surface, uint wave, Sample* s) {
   const int hits = HAS_SURFACES && hit->primitive != PRIMITIVE_NONE;
   float3 behind = (float3)(0.0f);
   uint walked = medium->shadow_key, lit = 0, second = 0;
@@ -50,9 +51,7 @@ OUTLINED void sample_add(const Scene* scene, const Ray* ray, const Hit* hit, con
   s->shadow_rays += medium->shadow_rays;
   s->secondary_rays += wave > 0;
   s->key += ray_key(hit->primitive, lit, walked, second) * (2 * wave + 1);
-  s->radiance =
-      vec_pack(vec_unpack(s->radiance) +
-               vec_unpack(ray->weight) * (vec_unpack(medium->radiance) + vec_unpack(medium->transmittance) * behind));
+  return vec_unpack(ray->weight) * (vec_unpack(medium->radiance) + vec_unpack(medium->transmittance) * behind);
 }
 
 // sent: of each sample, how many rays its rays of this wave send on.
@@ -65,6 +64,8 @@ __kernel void shade(SCENE_ARGS, uint wave, uint count, __global const Ray* rays,
   Sample sample = samples[item];
   if (wave == 0) sample = sample_begin(item);
   uint total = 0;
+  float3 sum = vec_unpack(sample.radiance),
+         lost = (float3)(0.0f);  // of thousands of rays rounding would be seen [Kahan65]
   for (uint i = sample.first_ray; i < sample.first_ray + sample.rays; ++i) {
     const Ray ray = rays[i];
     const Hit hit = hits[i];
@@ -72,9 +73,12 @@ __kernel void shade(SCENE_ARGS, uint wave, uint count, __global const Ray* rays,
     SurfaceResult surface;
     surface.sent = 0;
     if (HAS_SURFACES && hit.primitive != PRIMITIVE_NONE) surface = surfaces[i];
-    sample_add(&scene, &ray, &hit, &medium, &surface, wave, &sample);
+    const float3 next = sample_add(&scene, &ray, &hit, &medium, &surface, wave, &sample) - lost, before = sum;
+    sum = before + next;
+    lost = (sum - before) - next;
     total += surface.sent;
   }
+  sample.radiance = vec_pack(sum);
   samples[item] = sample;
 #if BRUME_SPECULAR
   sent[item] = total;

@@ -132,12 +132,15 @@ TEST(CheckNames, HoldEveryRowOfEveryFamily) {
   expect_rows("image/shadow_", shadow_family());
   for (const FamilyRow& row : interpolation_family())
     EXPECT_THAT(names, Contains(testing::EndsWith("/" + std::string(row.name))));
-  for (const FamilyRow& row : density_family())
-    if (row.name != "file") EXPECT_THAT(names, Contains("density/" + std::string(row.name)));
-  for (const FamilyRow& row : shape_family())
-    if (row.id < SHAPE_COUNT)
-      for (const char* head : {"hit/", "occluded/", "surface/"})
-        EXPECT_THAT(names, Contains(head + std::string(row.name)));
+  for (const FamilyRow& row : density_family()) {
+    if (row.name == "file") continue;
+    EXPECT_THAT(names, Contains("density/" + std::string(row.name)));
+  }
+  for (const FamilyRow& row : shape_family()) {
+    if (row.id >= SHAPE_COUNT) continue;
+    for (const char* head : {"hit/", "occluded/", "surface/"})
+      EXPECT_THAT(names, Contains(head + std::string(row.name)));
+  }
 }
 
 // A shape that the scene "surfaces" lacks is compared as its keys' defaults make it.

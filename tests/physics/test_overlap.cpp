@@ -22,13 +22,13 @@ std::string boxes_scene(int count, const std::string& medium, const std::string&
          media + more + R"(], "render": )" + render + "}";
 }
 
-FlatScene flat_of(const std::string& scene, int lanes = 8) {
+PlannedScene flat_of(const std::string& scene, int lanes = 8) {
   return flatten(scene_read_text(scene, "overlap.json", {}), {bvh_width_for(lanes), {}});
 }
 
 void expect_as_reference(const std::string& scene, const std::vector<int>& widths, const std::string& where) {
   for (const int lanes : widths) {
-    const FlatScene flat = flat_of(scene, lanes);
+    const PlannedScene flat = flat_of(scene, lanes);
     Film expected({flat.frame.camera.width, flat.frame.camera.height}), film = expected;
     reference::render(flat, expected);
     Renderer(pocl(), flat, {lanes, false, 0}).render(film, [](double) { return true; });
@@ -58,7 +58,7 @@ TEST(Overlap, DenseGlowingBoxesAndAConstantFog) {
         {1, 16}, "sigma_a " + std::to_string(sigma));
 }
 
-double lookups_of(const FlatScene& scene) {
+double lookups_of(const PlannedScene& scene) {
   double lookups = 0;
   const Film film = render_film(pocl(), scene, 16);
   for (const FilmPixel& pixel : film.pixels()) lookups += pixel.lookups;

@@ -50,14 +50,14 @@ WorkList samples_of_all(std::uint32_t first, std::uint32_t samples) {
   return list;
 }
 
-FlatScene scene_of_8_samples(const char* name) {
-  FlatScene scene = check_scene(name, 24, 8);
+PlannedScene scene_of_8_samples(const char* name) {
+  PlannedScene scene = check_scene(name, 24, 8);
   scene.frame.camera.spp = 8;
   return scene;
 }
 
 // Films of several lists, each list rendered on top of what the film holds.
-Film film_of_lists(const FlatScene& scene, const std::vector<WorkList>& lists, int batch_rays = 0) {
+Film film_of_lists(const PlannedScene& scene, const std::vector<WorkList>& lists, int batch_rays = 0) {
   Renderer renderer(pocl(), scene, {8, false, batch_rays});
   Film film({24, 24});
   for (const WorkList& list : lists) {
@@ -71,7 +71,7 @@ Film film_of_lists(const FlatScene& scene, const std::vector<WorkList>& lists, i
 
 TEST(WorkLists, InAnyOrderAndPiecesGiveTheSameBits) {
   for (const char* name : {"fog_delta", "mirrors"}) {
-    const FlatScene scene = scene_of_8_samples(name);
+    const PlannedScene scene = scene_of_8_samples(name);
     const Film whole = film_of_lists(scene, {work_all(scene.frame)});
     const WorkList early = samples_of_all(0, 3), late = samples_of_all(3, 5);
     EXPECT_TRUE(same_bits(whole, film_of_lists(scene, {early, late}))) << name;
@@ -85,7 +85,7 @@ TEST(WorkLists, InAnyOrderAndPiecesGiveTheSameBits) {
 }
 
 TEST(WorkLists, MergedFilmsAreTheWholeFilm) {
-  const FlatScene scene = scene_of_8_samples("fog_delta");
+  const PlannedScene scene = scene_of_8_samples("fog_delta");
   const Film whole = film_of_lists(scene, {work_all(scene.frame)});
   Film early = film_of_lists(scene, {samples_of_all(0, 4)});
   const Film late = film_of_lists(scene, {samples_of_all(4, 4)});
@@ -109,7 +109,7 @@ TEST(WorkLists, MergedFilmsAreTheWholeFilm) {
 }
 
 TEST(WorkLists, OutsideOfTheFilmAreRefused) {
-  const FlatScene scene = scene_of_8_samples("fog_delta");
+  const PlannedScene scene = scene_of_8_samples("fog_delta");
   Renderer renderer(pocl(), scene, {8, false, 0});
   Film film({24, 24}), other({24, 23});
   EXPECT_THROW(renderer.render(film, {{24 * 24, 0, 1}}, [](double) { return true; }), RuntimeError);
@@ -118,7 +118,7 @@ TEST(WorkLists, OutsideOfTheFilmAreRefused) {
 
 // Stopped after any batch, a film holds whole samples, and going on makes it the film of one go.
 TEST(WorkLists, GoOnAfterAStop) {
-  const FlatScene scene = scene_of_8_samples("fog_delta");
+  const PlannedScene scene = scene_of_8_samples("fog_delta");
   const Film whole = film_of_lists(scene, {work_all(scene.frame)});
   Renderer renderer(pocl(), scene, {8, false, 50});
   Film film({24, 24});
@@ -138,7 +138,7 @@ TEST(WorkLists, GoOnAfterAStop) {
 
 TEST(Variance, IsThatOfTheReference) {
   for (const char* name : {"fog_delta", "mesh", "surfaces"}) {
-    const FlatScene scene = scene_of_8_samples(name);
+    const PlannedScene scene = scene_of_8_samples(name);
     const Film film = film_of_lists(scene, {work_all(scene.frame)});
     Film exact({24, 24});
     reference::render(scene, exact);

@@ -30,13 +30,15 @@ KERNELS = {
     "shared": "",
     "lib": "shared",
     "shapes": "shared lib",
-    "phase": "shared lib",
-    "transmittance": "shared lib",
     "lights": "shared lib",
-    "radiance": "shared lib shapes lights phase transmittance",
-    "path": "shared lib shapes lights phase transmittance radiance",
-    "passes": "shared lib shapes lights phase transmittance radiance path",
-    "probes": "shared lib shapes lights phase transmittance radiance path",
+    "phase": "shared lib",
+    "density": "shared lib",
+    "walk": "shared lib density",
+    "media": "shared lib shapes lights phase density walk",
+    "materials": "shared lib shapes",
+    "path": "shared lib shapes lights density walk media materials",
+    "passes": "shared lib shapes lights phase density walk media materials path",
+    "probes": "shared lib shapes lights phase density walk media materials path",
 }
 # Third-party header -> the rooms that may see it.
 LIBRARIES = {

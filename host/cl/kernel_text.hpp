@@ -7,7 +7,7 @@
 namespace brume {
 
 struct KernelFile {
-  std::string_view path;  // relative to kernels/, e.g. "lib/dda.cl"
+  std::string_view path;  // relative to kernels/, e.g. "density/dda.cl"
   std::string_view text;
 };
 

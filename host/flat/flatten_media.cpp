@@ -46,15 +46,15 @@ LoadedMedium load_medium(const SceneDesc& desc, const MediumRow& row, LoadedScen
   return loaded;
 }
 
-// How far the medium reaches beyond its lattice [0, size], in voxels: a trilinear field with zero outside fades over half a voxel more.
-double medium_reach(const LoadedMedium& m) {
+// How far the medium goes on beyond its lattice [0, size], in voxels: a trilinear field with zero outside fades over half a voxel more.
+double medium_fade(const LoadedMedium& m) {
   return m.grid && m.grid->border == Border::ZERO && m.desc->interpolation == INTERPOLATION_TRILINEAR ? 0.5 : 0.0;
 }
 
 dvec3 medium_size(const LoadedMedium& m) { return m.grid ? dvec3(m.grid->size()) : dvec3(1); }
 
 double longest_side(const LoadedMedium& m) {
-  const dvec3 size = medium_size(m) + 2 * medium_reach(m);
+  const dvec3 size = medium_size(m) + 2 * medium_fade(m);
   double longest = 0;
   for (int axis = 0; axis < 3; ++axis)
     longest = std::max(longest, glm::length(dvec3(m.world_from_lattice[axis])) * size[axis]);
@@ -148,8 +148,8 @@ std::vector<LoadedMedium> load_media(const SceneDesc& desc, LoadedScene& loaded,
 }
 
 void medium_bounds_add(const LoadedMedium& m, Bounds& bounds) {
-  const double reach = medium_reach(m);
-  const dvec3 lo(-reach), hi = medium_size(m) + reach;
+  const double fade = medium_fade(m);
+  const dvec3 lo(-fade), hi = medium_size(m) + fade;
   for (int corner = 0; corner < 8; ++corner)
     bounds.add(transform_point(m.world_from_lattice,
                                dvec3(corner & 1 ? hi.x : lo.x, corner & 2 ? hi.y : lo.y, corner & 4 ? hi.z : lo.z)));

@@ -98,7 +98,7 @@ LightGrid grid_along(const Lattice& lattice, const dvec3& travel) {
             lattice_row(lattice, axis_v) + static_cast<double>(grid.slope_v) * k + margin, k);
   columns_count(grid.slope_u, grid.nk, grid.nu, grid.first_u, grid.columns_u);
   columns_count(grid.slope_v, grid.nk, grid.nv, grid.first_v, grid.columns_v);
-  grid.reach = static_cast<float>(1 / size[axis]);
+  grid.column_step = static_cast<float>(1 / size[axis]);
   grid.from_first = steps[axis] > 0;
   return grid;
 }

@@ -70,7 +70,6 @@ RenderPlan plan_render(const SceneDesc& desc, const FlatScene& flat, const PlanO
   plan.frame.light_picks = plan_light_picks(desc, flat);
   plan.frame.shape_count = static_cast<int>(flat.shapes.size());
   plan.frame.triangle_count = static_cast<int>(flat.triangles.size());
-  plan.frame.material_count = static_cast<int>(flat.materials.size());
   plan.frame.medium_count = static_cast<int>(flat.media.size());
   plan.frame.hides_background = options.hide_background;
   plan.storage = desc.render.storage;

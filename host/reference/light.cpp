@@ -21,7 +21,7 @@ double spot_share(const Light& light, const dvec3& travel) {
 
 std::vector<LightPick> light_picks(const PlannedScene& scene, const RandomStream& random, uint n, bool all) {
   std::vector<LightPick> picks;
-  if (all || scene.frame.light_picks == static_cast<int>(scene.lights.size())) {
+  if (all || scene.light_shares.empty() || scene.frame.light_picks == static_cast<int>(scene.lights.size())) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) picks.push_back({i, 1});
     return picks;
   }

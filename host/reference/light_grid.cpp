@@ -36,7 +36,7 @@ struct Crossing {
 };
 
 Crossing crossing_of(const Medium& medium, const LightGrid& grid, const Column& column, int k) {
-  const double margin = grid.reach > 0 ? 1 : 0;
+  const double margin = grid.column_step > 0 ? 1 : 0;
   const auto inside = [&](int at, double slope, int n, bool& moved) {
     const double begin = slope * k + margin, end = begin + n - 1 - 3 * margin;
     const double to = std::clamp(static_cast<double>(at), begin + LIGHT_GRID_INSET, end - LIGHT_GRID_INSET);
@@ -66,9 +66,9 @@ void column_fill(const Context& context, const Medium& medium, std::size_t light
     double lookups = 0;
     if (sample.shines())
       here = (before ? *before : dvec3(0)) + media_tau(context, {crossing.point, -sample.travel},
-                                                       before ? static_cast<double>(grid.reach) : sample.distance,
+                                                       before ? static_cast<double>(grid.column_step) : sample.distance,
                                                        random.child(static_cast<uint>(k)), lookups);
-    before = grid.reach > 0 && !crossing.moved ? &here : nullptr;
+    before = grid.column_step > 0 && !crossing.moved ? &here : nullptr;
   }
 }
 

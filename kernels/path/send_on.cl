@@ -2,7 +2,7 @@
 #ifndef BRUME_PATH_SEND_ON_CL
 #define BRUME_PATH_SEND_ON_CL
 #include "lib/rng.cl"
-#include "radiance/surface.cl"
+#include "materials/surface.cl"
 
 // `heirs`: its share of those of the ray that it comes from, itself included.
 static inline void ray_send(const Ray* from, const Surface* surface, float3 dir, float3 weight, float heirs, uint seed,

@@ -2,8 +2,8 @@
 #ifndef BRUME_PATH_SURFACE_LIGHT_CL
 #define BRUME_PATH_SURFACE_LIGHT_CL
 #include "lights/lights.cl"
-#include "radiance/material.cl"
-#include "radiance/tau.cl"
+#include "materials/material.cl"
+#include "media/tau.cl"
 
 // Adds the light of shadow ray n, from light l, unless it comes from behind or something blocks it.
 static inline float3 surface_light(const Scene* scene, const Surface* surface, const Material* material, float3 diffuse,

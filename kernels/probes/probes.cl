@@ -1,10 +1,10 @@
 // Entry points that run single device functions on arrays, for `brume check` and the kernel tests. All have one form:
 // item i reads its floats of `in` and writes its floats of `out`; host/check knows the strides.
+#include "density/density.cl"
 #include "lib/camera.cl"
-#include "lib/density.cl"
-#include "radiance/material.cl"
-#include "radiance/radiative.cl"
-#include "radiance/surface.cl"
+#include "materials/material.cl"
+#include "materials/surface.cl"
+#include "media/radiative.cl"
 #include "shared/aov.h"
 #include "shared/layout.h"
 

@@ -12,7 +12,6 @@ typedef struct {
   Packed3 ambient;
   int shape_count;
   int medium_count;
-  int material_count;
   int triangle_count;
   uint seed;
   int in_scattering;
@@ -25,6 +24,6 @@ typedef struct {
   int light_picks;       // how many lights a point asks: all, or fewer that it chooses by FlatScene::light_shares
   int hides_background;  // 1: camera rays see nothing where they hit nothing; mirrors and glass go on seeing it
 } Frame;
-BRUME_LAYOUT(Frame, 180);
+BRUME_LAYOUT(Frame, 176);
 BRUME_SHARED_END
 #endif

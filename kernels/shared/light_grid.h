@@ -19,9 +19,9 @@ typedef struct {
   int nu, nv, nk;  // at least 2 each
   int offset;      // entries of the grids before it
   float slope_u,
-      slope_v;     // in [-1, 1]: how the box moves over the columns from plane to plane; 0 for lights without columns
-  float reach;     // world length of a column between two planes; 0 for lights without columns
-  int from_first;  // the light comes from plane 0
+      slope_v;  // in [-1, 1]: how the box moves over the columns from plane to plane; 0 for lights without columns
+  float column_step;     // world length of a column between two planes; 0 for lights without columns
+  int from_first;        // the light comes from plane 0
   int first_u, first_v;  // the columns that meet the box anywhere
   int columns_u, columns_v;
 } LightGrid;

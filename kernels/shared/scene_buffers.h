@@ -28,7 +28,7 @@
   ROW(__global, MediumWalk, walks, PLAN, walks, "walks through media") NEXT                               \
   ROW(__global, int, bricks, FLAT, bricks, "brick index") NEXT                                            \
   ROW(__global, float, ranges, STORED, brick_ranges, "brick ranges") NEXT                                 \
-  ROW(__global, voxel_t, voxels, STORED, voxels, "voxels") NEXT                                           \
+  ROW(__global, Voxel, voxels, STORED, voxels, "voxels") NEXT                                             \
   ROW(__global, LightGrid, light_grids, PLAN, light_grids, "light grids") NEXT                            \
   ROW(__global, float, light_tau, SCRATCH, light_entries, "light grid depths")
 

@@ -54,8 +54,8 @@ TEST(LightGrids, ColumnsRunAlongTheLight) {
     const Affine& world = scene.placed[0].world_from_cell;
     const dvec3 along =
         affine_direction(world, affine_direction(grid.cell_from_grid, dvec3(0, 0, grid.from_first ? 1 : -1)));
-    const dvec3 travel = vec_promote(scene.lights[0].direction) * static_cast<double>(grid.reach);
-    EXPECT_LT(glm::length(along - travel), 1e-5 * grid.reach) << light;
+    const dvec3 travel = vec_promote(scene.lights[0].direction) * static_cast<double>(grid.column_step);
+    EXPECT_LT(glm::length(along - travel), 1e-5 * grid.column_step) << light;
   }
 }
 

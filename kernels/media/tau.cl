@@ -1,23 +1,23 @@
 // Optical depth: of one medium or all, along shadow rays; collisions and roulette as changes of it.
-#ifndef BRUME_RADIANCE_TAU_CL
-#define BRUME_RADIANCE_TAU_CL
-#include "transmittance/transmittance.cl"
+#ifndef BRUME_MEDIA_TAU_CL
+#define BRUME_MEDIA_TAU_CL
+#include "walk/walk.cl"
 
 // Optical depths: one float when every medium is grey, three else.
 #if BRUME_COLOR_TAU
 #define TAU_CHANNELS 3
-typedef float3 tau_t;
+typedef float3 Tau;
 #define tau_min(v) vec_min(v)
 #define tau_max(v) vec_max(v)
 #define tau_channel(v, c) ((c) == 0 ? (v).x : ((c) == 1 ? (v).y : (v).z))
-static inline tau_t medium_sigma_t(const Medium* m) { return vec_unpack(m->sigma_a) + vec_unpack(m->sigma_s); }
+static inline Tau medium_sigma_t(const Medium* m) { return vec_unpack(m->sigma_a) + vec_unpack(m->sigma_s); }
 #else
 #define TAU_CHANNELS 1
-typedef float tau_t;
+typedef float Tau;
 #define tau_min(v) (v)
 #define tau_max(v) (v)
 #define tau_channel(v, c) (v)
-static inline tau_t medium_sigma_t(const Medium* m) { return m->sigma_a.x + m->sigma_s.x; }
+static inline Tau medium_sigma_t(const Medium* m) { return m->sigma_a.x + m->sigma_s.x; }
 #endif
 
 #if BRUME_MEDIA == 1
@@ -29,7 +29,7 @@ static inline tau_t medium_sigma_t(const Medium* m) { return m->sigma_a.x + m->s
 #if BRUME_ROULETTE
 // Once the transmittance is below the frame's threshold, a walk goes on with probability T / threshold and then counts for
 // all those that were ended: T becomes the threshold. 0: the walk ends, *tau is black.
-static inline int roulette_survives(const Scene* scene, const Random* walk, uint id, tau_t* tau) {
+static inline int roulette_survives(const Scene* scene, const Random* walk, uint id, Tau* tau) {
   const float threshold = scene->frame->roulette;
   const float transmittance = exp(-tau_min(*tau));
   if (!(transmittance < threshold)) return 1;
@@ -38,7 +38,7 @@ static inline int roulette_survives(const Scene* scene, const Random* walk, uint
     *tau += log(survival);
     return 1;
   }
-  *tau = (tau_t)(TAU_BLACK);
+  *tau = (Tau)(TAU_BLACK);
   return 0;
 }
 #else
@@ -49,7 +49,7 @@ static inline int roulette_survives(const Scene* scene, const Random* walk, uint
 // What a tentative collision is worth.
 typedef struct {
   float weight;  // estimate of ∫ρ; 0 where no light is asked for
-  tau_t before;  // τ up to it
+  Tau before;    // τ up to it
 } Collision;
 
 // Collision i, of density · size = integral. Moves *tau past it.
@@ -57,17 +57,17 @@ typedef struct {
 //   delta: real with probability p = σt ρ / rate of the strongest channel, and then the end; else each channel weighs
 //   (1 - p_c) / (1 - p), which is 1 in a grey medium.
 static inline Collision track_collide(const Medium* medium, const Random* walk, const Segments* at, int i,
-                                      float integral, tau_t sigma_t, tau_t* tau) {
+                                      float integral, Tau sigma_t, Tau* tau) {
   Collision hit;
   *tau += sigma_t * at->control[i];
   hit.before = *tau;
   hit.weight = integral;
-  const tau_t p = fmin(sigma_t * fmax(integral - at->low[i] * at->size[i], 0.0f), (tau_t)(1.0f));
+  const Tau p = fmin(sigma_t * fmax(integral - at->low[i] * at->size[i], 0.0f), (Tau)(1.0f));
   const float strongest = tau_max(p);
   if (METHOD_IS(medium, DELTA_TRACKING) && strongest > 0.0f) {
     if (random_at(walk, at->id[i], RANDOM_REAL) < strongest) {
       hit.weight /= strongest;
-      *tau = (tau_t)(TAU_BLACK);
+      *tau = (Tau)(TAU_BLACK);
       return hit;
     }
     hit.weight = 0.0f;
@@ -78,17 +78,17 @@ static inline Collision track_collide(const Medium* medium, const Random* walk, 
       hit.weight = random_at(walk, at->id[i], RANDOM_REAL) < asked ? integral / asked : 0.0f;
     *tau -= log1p(-p);
   }
-  *tau = fmin(*tau, (tau_t)(TAU_BLACK));
+  *tau = fmin(*tau, (Tau)(TAU_BLACK));
   return hit;
 }
 
 // τ of a medium by tracking: an estimate whose exp(-τ) is right in the mean.
-static inline tau_t track_tau(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random,
-                              tau_t sigma_t, uint* lookups) {
+static inline Tau track_tau(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random, Tau sigma_t,
+                            uint* lookups) {
   Walk walk = walk_begin(medium, ray, random, 1);
   Segments at;
   float integral[W];
-  tau_t tau = (tau_t)(0.0f);
+  Tau tau = (Tau)(0.0f);
   for (;;) {
     walk_next(scene, medium, ray, &walk, &at);
     if (at.count == 0) return tau;
@@ -97,20 +97,20 @@ static inline tau_t track_tau(const Scene* scene, const Medium* medium, const Me
       track_collide(medium, &random, &at, i, integral[i], sigma_t, &tau);
       *lookups += at.size[i] > 0.0f;
       if (!roulette_survives(scene, &random, at.id[i], &tau) || tau_min(tau) >= TAU_STOP)
-        return fmin(tau, (tau_t)(TAU_BLACK));
+        return fmin(tau, (Tau)(TAU_BLACK));
     }
   }
 }
 #endif
 
 // Optical depth of medium m from the origin to t_max.
-static inline tau_t medium_tau(const Scene* scene, int m, float3 origin, float3 dir, float t_max, Random random,
-                               uint* lookups) {
+static inline Tau medium_tau(const Scene* scene, int m, float3 origin, float3 dir, float t_max, Random random,
+                             uint* lookups) {
   const Medium medium = medium_load(scene, m);
-  const tau_t sigma_t = medium_sigma_t(&medium);
+  const Tau sigma_t = medium_sigma_t(&medium);
   if (!(tau_max(sigma_t) > 0.0f)) return sigma_t;  // a medium that only glows
   const MediumRay ray = medium_ray(&medium, origin, dir, t_max);
-  if (!(ray.length > 0.0f)) return (tau_t)(0.0f);
+  if (!(ray.length > 0.0f)) return (Tau)(0.0f);
   const Random walk = random_stream(random, (uint)m);
 #if BRUME_TRACKING
   if (PLACEMENT_IS(&medium, COLLISIONS)) return track_tau(scene, &medium, &ray, walk, sigma_t, lookups);
@@ -119,9 +119,9 @@ static inline tau_t medium_tau(const Scene* scene, int m, float3 origin, float3 
 }
 
 // Optical depth of all media but `except` from the origin to t_max.
-static inline tau_t media_tau(const Scene* scene, int except, float3 origin, float3 dir, float t_max, Random random,
-                         uint* lookups) {
-  tau_t tau = (tau_t)(0.0f);
+static inline Tau media_tau(const Scene* scene, int except, float3 origin, float3 dir, float t_max, Random random,
+                            uint* lookups) {
+  Tau tau = (Tau)(0.0f);
 #if BRUME_MEDIA
   for (int m = 0; m < MEDIA_END(scene); ++m)
     if (m != except) tau += medium_tau(scene, m, origin, dir, t_max, random, lookups);

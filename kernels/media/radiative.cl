@@ -1,7 +1,7 @@
 // From ∫ρ to light: extinction per channel, transmittance through all media, in-scattering along a view ray.
-#ifndef BRUME_RADIANCE_RADIATIVE_CL
-#define BRUME_RADIANCE_RADIATIVE_CL
-#include "radiance/sources.cl"
+#ifndef BRUME_MEDIA_RADIATIVE_CL
+#define BRUME_MEDIA_RADIATIVE_CL
+#include "media/sources.cl"
 
 // What medium m sends to the origin from these segments.
 static inline float3 stretch_radiance(const Scene* scene, Stretch* s, MediumResult* result) {
@@ -25,7 +25,7 @@ static inline floatW segment_gain(const Scene* scene, floatW integral, floatW be
 }
 
 // τ of the medium up to each segment; moves *tau past them all.
-static inline void stretch_before(const Scene* scene, Stretch* s, tau_t sigma_t, tau_t* tau, floatW* before) {
+static inline void stretch_before(const Scene* scene, Stretch* s, Tau sigma_t, Tau* tau, floatW* before) {
 #if BRUME_ROULETTE
   float each[TAU_CHANNELS][W];
   for (int i = 0; i < W; ++i) {
@@ -43,7 +43,7 @@ static inline void stretch_before(const Scene* scene, Stretch* s, tau_t sigma_t,
 }
 
 // Gains of the segments; moves *tau, that of their medium, past them.
-static inline void stretch_gains(const Scene* scene, Stretch* s, tau_t sigma_t, tau_t* tau) {
+static inline void stretch_gains(const Scene* scene, Stretch* s, Tau sigma_t, Tau* tau) {
   floatW before[TAU_CHANNELS];
   s->dense = (intW)(0);
   if (TAKES_ENDS(scene) && scene->frame->in_scattering == IN_SCATTERING_SEGMENT)
@@ -60,7 +60,7 @@ static inline void stretch_gains(const Scene* scene, Stretch* s, tau_t sigma_t, 
 
 #if BRUME_TRACKING
 // The same for tentative collisions: without bias in the mean, whatever the light.
-static inline void track_gains(const Scene* scene, Stretch* s, int m, tau_t sigma_t, tau_t* tau, Others* others,
+static inline void track_gains(const Scene* scene, Stretch* s, int m, Tau sigma_t, Tau* tau, Others* others,
                                MediumResult* result) {
   float gain[TAU_CHANNELS][W];
   s->dense = (intW)(0);
@@ -72,7 +72,7 @@ static inline void track_gains(const Scene* scene, Stretch* s, int m, tau_t sigm
 #if BRUME_MEDIA == 2
       others_advance(scene, s, m, s->at->place[i], stretch_random(s, i, STREAM_OTHERS), others, &result->lookups);
 #endif
-      const tau_t before = hit.before + others->tau;
+      const Tau before = hit.before + others->tau;
       for (int c = 0; c < TAU_CHANNELS; ++c) gain[c][i] = hit.weight * exp(-tau_channel(before, c));
     }
     s->integral[i] = hit.weight;
@@ -97,22 +97,22 @@ static inline Stretch stretch_of(const Medium* medium, const MediumRay* ray, flo
   s.random = random;
   s.walk = random_stream(random, (uint)m);
   s.light_t = -INFINITY;
-  s.light_tau = (tau_t)(0.0f);
+  s.light_tau = (Tau)(0.0f);
   return s;
 }
 
 // Medium m along a view ray up to t_max: adds what it scatters and emits towards the origin to *radiance and returns its
 // optical depth. Each turn takes W segments of the walk, or W parts of those that are dense.
-static inline tau_t medium_scatter(const Scene* scene, int m, float3 origin, float3 dir, float t_max, Random random,
-                                   float3* radiance, MediumResult* result) {
+static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float3 dir, float t_max, Random random,
+                                 float3* radiance, MediumResult* result) {
   const Medium medium = medium_load(scene, m);
-  const tau_t sigma_t = medium_sigma_t(&medium);
+  const Tau sigma_t = medium_sigma_t(&medium);
   const MediumRay ray = medium_ray(&medium, origin, dir, t_max);
-  tau_t tau = (tau_t)(0.0f);
+  Tau tau = (Tau)(0.0f);
   if (!(ray.length > 0.0f)) return tau;
   const int cuts = scene->frame->in_scattering == IN_SCATTERING_SEGMENT;
   Stretch s = stretch_of(&medium, &ray, origin, dir, t_max, random, m);
-  Others others = {-ray.t_begin, (tau_t)(0.0f)};
+  Others others = {-ray.t_begin, (Tau)(0.0f)};
   Segments whole, parts;
   Cut cut;
   cut.lane = W;
@@ -171,7 +171,7 @@ OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 di
   result.shadow_key = 0;
   result.shadow_rays = 0;
   float3 radiance = (float3)(0.0f);
-  tau_t tau = (tau_t)(0.0f);
+  Tau tau = (Tau)(0.0f);
 #if BRUME_MEDIA
   for (int m = 0; m < MEDIA_END(scene); ++m) {
     const Medium medium = medium_load(scene, m);

@@ -1,6 +1,6 @@
 // The stretch of a ray inside a medium, and density lookups in its bricks. Knows no radiometry.
-#ifndef BRUME_LIB_MEDIUM_CL
-#define BRUME_LIB_MEDIUM_CL
+#ifndef BRUME_DENSITY_MEDIUM_CL
+#define BRUME_DENSITY_MEDIUM_CL
 #include "lib/scene.cl"
 #include "lib/slab.cl"
 
@@ -53,7 +53,7 @@ static inline MediumRay medium_ray(const Medium* medium, float3 origin, float3 d
 }
 
 // Up to W stretches of a ray, each inside one stored brick (or, for a constant medium, anywhere). (x, y, z) is the cell of
-// the stretch, or the first cell of its brick: the walk that fills them knows which, and says so as `reach` below.
+// the stretch, or the first cell of its brick: the walk that fills them knows which, and says so as `within` below.
 typedef struct {
   int count;  // how many have a length; those without lie last, but for the marchers' in empty bricks; 0 at the end
   float begin[W];  // s at which the segment begins
@@ -73,8 +73,8 @@ typedef struct {
 #endif
 } Segments;
 
-#define REACH_CELL 0                   // x, y, z is the cell itself
-#define REACH_BRICK (BRICK_CELLS - 1)  // x, y, z is where the brick begins
+#define WITHIN_CELL 0                   // x, y, z is the cell itself
+#define WITHIN_BRICK (BRICK_CELLS - 1)  // x, y, z is where the brick begins
 
 #define brick_stride(x, y, z) (((z)*BRICK_SAMPLES + (y)) * BRICK_SAMPLES + (x))
 
@@ -108,16 +108,16 @@ typedef struct {
   floatW fx, fy, fz;
 } Lookup;
 
-static inline floatW lookup_cell(floatW position, int reach) {
-  return reach == REACH_CELL ? (floatW)(0.0f) : fmin(fmax(floor(position), (floatW)(0.0f)), (floatW)(float)reach);
+static inline floatW lookup_cell(floatW position, int within) {
+  return within == WITHIN_CELL ? (floatW)(0.0f) : fmin(fmax(floor(position), (floatW)(0.0f)), (floatW)(float)within);
 }
 
-static inline Lookup lookup_at(const MediumRay* ray, const Segments* at, floatW s, int reach) {
+static inline Lookup lookup_at(const MediumRay* ray, const Segments* at, floatW s, int within) {
   const floatW x0 = lanes_load(at->x), y0 = lanes_load(at->y), z0 = lanes_load(at->z);
   const floatW x = mad_exact(s, (floatW)(ray->dir.x), (floatW)(ray->origin.x)) - x0;
   const floatW y = mad_exact(s, (floatW)(ray->dir.y), (floatW)(ray->origin.y)) - y0;
   const floatW z = mad_exact(s, (floatW)(ray->dir.z), (floatW)(ray->origin.z)) - z0;
-  const floatW cx = lookup_cell(x, reach), cy = lookup_cell(y, reach), cz = lookup_cell(z, reach);
+  const floatW cx = lookup_cell(x, within), cy = lookup_cell(y, within), cz = lookup_cell(z, within);
   Lookup l;
   l.sample = lanes_load(at->base) + brick_stride(lanes_to_int(x0 + cx), lanes_to_int(y0 + cy), lanes_to_int(z0 + cz));
   l.fx = x - cx;
@@ -136,16 +136,16 @@ static inline floatW density_of(const Segments* at, floatW stored) {
 #endif
 }
 
-static inline floatW density_nearest(__global const voxel_t* voxels, const MediumRay* ray, const Segments* at, floatW s,
-                                     int reach) {
-  const Lookup l = lookup_at(ray, at, s, reach);
+static inline floatW density_nearest(__global const Voxel* voxels, const MediumRay* ray, const Segments* at, floatW s,
+                                     int within) {
+  const Lookup l = lookup_at(ray, at, s, within);
   floatW here, next;
   voxels_gather2(voxels, l.sample, &here, &next);
   return density_of(at, here);
 }
 
 // The eight samples of a lookup blended, as stored.
-static inline floatW lookup_blend(__global const voxel_t* voxels, const Lookup* l) {
+static inline floatW lookup_blend(__global const Voxel* voxels, const Lookup* l) {
   floatW a, b;
 #define ALONG_X(out, offset)                            \
   voxels_gather2(voxels, l->sample + (offset), &a, &b); \
@@ -160,9 +160,9 @@ static inline floatW lookup_blend(__global const voxel_t* voxels, const Lookup* 
   return mad_exact(l->fz, v1 - v0, v0);
 }
 
-static inline floatW density_trilinear(__global const voxel_t* voxels, const MediumRay* ray, const Segments* at,
-                                       floatW s, int reach) {
-  const Lookup l = lookup_at(ray, at, s, reach);
+static inline floatW density_trilinear(__global const Voxel* voxels, const MediumRay* ray, const Segments* at, floatW s,
+                                       int within) {
+  const Lookup l = lookup_at(ray, at, s, within);
   return density_of(at, lookup_blend(voxels, &l));
 }
 

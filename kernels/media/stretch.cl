@@ -1,7 +1,7 @@
 // A batch of segments along a view ray through one medium, what the other media do along them, and how dense ones are cut.
-#ifndef BRUME_RADIANCE_STRETCH_CL
-#define BRUME_RADIANCE_STRETCH_CL
-#include "radiance/others.cl"
+#ifndef BRUME_MEDIA_STRETCH_CL
+#define BRUME_MEDIA_STRETCH_CL
+#include "media/others.cl"
 
 // Collisions estimate exp(-τ) without bias, but nothing else of τ: scenes with trackers take light and the other media at the
 // place of each segment.
@@ -20,7 +20,7 @@
 // τ of the media beside one, carried along a view ray.
 typedef struct {
   float s;  // up to where it is known, from where the ray enters the medium that is walked
-  tau_t tau;
+  Tau tau;
 } Others;
 
 typedef struct {
@@ -43,7 +43,7 @@ typedef struct {
   floatW depth[TAU_CHANNELS];  // τ of all media over each
   intW dense;                  // takes the light from both ends
   float light_t;               // world distance of the last point whose depth to the only light was asked for,
-  tau_t light_tau;             // and that depth
+  Tau light_tau;               // and that depth
 } Stretch;
 
 #if BRUME_RANDOM
@@ -84,10 +84,9 @@ static inline void stretch_others_placed(const Scene* scene, Stretch* s, int m, 
 #endif
 
 // Adds what medium m brings to others, beside and, from the last segment that counts, to *tau.
-static inline void stretch_other(const Scene* scene, Stretch* s, int m, float from, int last, tau_t* tau,
-                                 uint* lookups) {
+static inline void stretch_other(const Scene* scene, Stretch* s, int m, float from, int last, Tau* tau, uint* lookups) {
   const Medium medium = medium_load(scene, m);
-  const tau_t sigma_t = medium_sigma_t(&medium);
+  const Tau sigma_t = medium_sigma_t(&medium);
   if (!(tau_max(sigma_t) > 0.0f)) return;
   const MediumRay ray = medium_ray(&medium, s->origin, s->dir, s->t_max);
   const floatW begin = lanes_load(s->at->begin), end = begin + lanes_load(s->at->size);
@@ -126,7 +125,7 @@ static inline void stretch_others(const Scene* scene, Stretch* s, int m, Others*
 #endif
 
 // Depth of all media over each segment.
-static inline void stretch_depths(Stretch* s, tau_t sigma_t) {
+static inline void stretch_depths(Stretch* s, Tau sigma_t) {
   const floatW integral = lanes_load(s->integral);
   for (int c = 0; c < TAU_CHANNELS; ++c) {
     s->depth[c] = tau_channel(sigma_t, c) * integral;

@@ -1,9 +1,9 @@
 // Two-level DDA [Amanatides87]: bricks, then cells. An iterator that knows geometry only. Crossings are computed afresh as
 // (plane - origin) / dir, never accumulated: a thousand float additions drift by a hundred ulp. Stepping has no branch on the
 // axis: which one comes next is a coin toss that a processor loses at 15 cycles each.
-#ifndef BRUME_LIB_DDA_CL
-#define BRUME_LIB_DDA_CL
-#include "lib/bricks.cl"
+#ifndef BRUME_DENSITY_DDA_CL
+#define BRUME_DENSITY_DDA_CL
+#include "density/bricks.cl"
 
 // One axis. Cells and bricks are whole numbers kept as floats: all arithmetic with them is exact below 2^24.
 typedef struct {

@@ -1,12 +1,12 @@
 // The dispatcher over methods: an iterator of segments with ∫ρ over each, and the optical depth of a whole ray.
-#ifndef BRUME_TRANSMITTANCE_TRANSMITTANCE_CL
-#define BRUME_TRANSMITTANCE_TRANSMITTANCE_CL
-#include "transmittance/dda_gauss2.cl"
-#include "transmittance/dda_midpoint.cl"
-#include "transmittance/dda_nearest.cl"
-#include "transmittance/homogeneous.cl"
-#include "transmittance/march.cl"
-#include "transmittance/tracking.cl"
+#ifndef BRUME_WALK_WALK_CL
+#define BRUME_WALK_WALK_CL
+#include "walk/dda_gauss2.cl"
+#include "walk/dda_midpoint.cl"
+#include "walk/dda_nearest.cl"
+#include "walk/homogeneous.cl"
+#include "walk/march.cl"
+#include "walk/tracking.cl"
 
 // True for the method, placement or rule of this medium; folds to a constant when the scene uses one only, and code for those that it
 // does not use falls away.

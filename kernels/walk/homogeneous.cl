@@ -1,7 +1,7 @@
 // homogeneous: constant density, no bricks. The optical depth is a product; light is sampled at equal steps.
-#ifndef BRUME_TRANSMITTANCE_HOMOGENEOUS_CL
-#define BRUME_TRANSMITTANCE_HOMOGENEOUS_CL
-#include "transmittance/steps.cl"
+#ifndef BRUME_WALK_HOMOGENEOUS_CL
+#define BRUME_WALK_HOMOGENEOUS_CL
+#include "walk/steps.cl"
 
 static inline void homogeneous_fill(Steps* s, Segments* out) {
   int n = 0;
@@ -17,7 +17,7 @@ static inline void homogeneous_fill(Steps* s, Segments* out) {
   segments_pad(out);
 }
 
-static inline floatW homogeneous_integral(const Medium* medium, __global const voxel_t* voxels, const MediumRay* ray,
+static inline floatW homogeneous_integral(const Medium* medium, __global const Voxel* voxels, const MediumRay* ray,
                                           const Segments* at) {
   (void)voxels;
   (void)ray;

@@ -1,7 +1,7 @@
 // Placement of the DDA methods: segments between the crossings of cell faces, empty bricks skipped.
-#ifndef BRUME_TRANSMITTANCE_CELLS_CL
-#define BRUME_TRANSMITTANCE_CELLS_CL
-#include "lib/dda.cl"
+#ifndef BRUME_WALK_CELLS_CL
+#define BRUME_WALK_CELLS_CL
+#include "density/dda.cl"
 
 static inline int cells_next_brick(const Scene* scene, const Medium* medium, const MediumRay* ray, Dda* d) {
   if (!dda_next_brick(scene, medium, d)) return 0;

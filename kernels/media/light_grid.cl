@@ -1,7 +1,7 @@
 // Optical depths to a light from a light grid (shared/light_grid.h), for all lanes at once.
-#ifndef BRUME_RADIANCE_LIGHT_GRID_CL
-#define BRUME_RADIANCE_LIGHT_GRID_CL
-#include "radiance/tau.cl"
+#ifndef BRUME_MEDIA_LIGHT_GRID_CL
+#define BRUME_MEDIA_LIGHT_GRID_CL
+#include "media/tau.cl"
 
 // Where the lanes stand in one plane of a grid: the first of the four points about each and the weights of the next ones.
 typedef struct {

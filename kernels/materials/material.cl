@@ -1,7 +1,7 @@
 // Textures and the light that a material sends to the viewer. Definitions: ARCHITECTURE "The pixel", shared/material.h.
-#ifndef BRUME_RADIANCE_MATERIAL_CL
-#define BRUME_RADIANCE_MATERIAL_CL
-#include "radiance/surface.cl"
+#ifndef BRUME_MATERIALS_MATERIAL_CL
+#define BRUME_MATERIALS_MATERIAL_CL
+#include "materials/surface.cl"
 
 static inline float3 texel_load(const Scene* scene, const Texture* t, int x, int y) {
   __global const float* p = scene->texels + 3 * (size_t)(t->offset + (uint)(y * t->width + x));

@@ -1,7 +1,7 @@
 // Where the samples of a brick lie: the only place that reads the index (shared/medium.h).
-#ifndef BRUME_LIB_BRICKS_CL
-#define BRUME_LIB_BRICKS_CL
-#include "lib/medium.cl"
+#ifndef BRUME_DENSITY_BRICKS_CL
+#define BRUME_DENSITY_BRICKS_CL
+#include "density/medium.cl"
 
 // Where in the index brick (x, y, z) has its block, and within the block its entry; ints or lanes of them.
 #define brick_block_at(m, x, y, z)                                                           \

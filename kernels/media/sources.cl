@@ -1,10 +1,10 @@
 // The light that reaches the segments of a stretch: S = Σ over lights of E · V · T · p.
-#ifndef BRUME_RADIANCE_SOURCES_CL
-#define BRUME_RADIANCE_SOURCES_CL
+#ifndef BRUME_MEDIA_SOURCES_CL
+#define BRUME_MEDIA_SOURCES_CL
 #include "lights/lights.cl"
+#include "media/light_grid.cl"
+#include "media/stretch.cl"
 #include "phase/phase.cl"
-#include "radiance/light_grid.cl"
-#include "radiance/stretch.cl"
 #include "shapes/shapes.cl"
 
 // RGB of every lane.
@@ -103,7 +103,7 @@ static inline Colors sources_from_grid(const Scene* scene, const Stretch* s, Med
 #endif
 
 // Depth of all media from a point of the view ray, at world distance t, to light l.
-static inline tau_t light_depth(const Scene* scene, const Stretch* s, int l, float t, Random random, uint* lookups) {
+static inline Tau light_depth(const Scene* scene, const Stretch* s, int l, float t, Random random, uint* lookups) {
   const float3 point = vec_point(s->origin, s->dir, t);
   const LightSample light = light_sample(scene, l, point, s->walk);
   return media_tau(scene, -1, point, -light.travel, light.distance, random, lookups);
@@ -117,18 +117,18 @@ static inline float3 transmittance_traced(const Scene* scene, Stretch* s, int l,
   const int known =
       dense && !BRUME_RANDOM && scene->frame->light_count == 1 && fabs(begins - s->light_t) <= 0x1p-10f * size;
   const float share[2] = {known ? 0.0f : END_INSET, 1.0f - END_INSET};
-  tau_t tau[2] = {s->light_tau, s->light_tau};
+  Tau tau[2] = {s->light_tau, s->light_tau};
   for (int e = known; e < 1 + dense; ++e) {
     const float t = dense ? mad_exact(share[e], size, begins) : s->ray->t_begin + s->at->place[i];
     const Random random = stretch_random(s, i, (e ? STREAM_LIGHT_END : STREAM_LIGHT) + (uint)n);
     tau[e] = light_depth(scene, s, l, t, random, &result->lookups);
   }
   if (!dense) return (float3)(1.0f) * exp(-tau[0]);
-  tau[0] = fmin(tau[0], (tau_t)(TAU_FINITE));
-  tau[1] = fmin(tau[1], (tau_t)(TAU_FINITE));
-  const tau_t slope = (tau[1] - tau[0]) / (share[1] - share[0]);
-  const tau_t begin = fmax(tau[0] - slope * share[0], (tau_t)(0.0f));
-  s->light_tau = fmax(tau[1] + slope * END_INSET, (tau_t)(0.0f));
+  tau[0] = fmin(tau[0], (Tau)(TAU_FINITE));
+  tau[1] = fmin(tau[1], (Tau)(TAU_FINITE));
+  const Tau slope = (tau[1] - tau[0]) / (share[1] - share[0]);
+  const Tau begin = fmax(tau[0] - slope * share[0], (Tau)(0.0f));
+  s->light_tau = fmax(tau[1] + slope * END_INSET, (Tau)(0.0f));
   s->light_t = stretch_end(s, i);
   float mean[3];
   for (int c = 0; c < TAU_CHANNELS; ++c)

@@ -1,6 +1,6 @@
 // What a ray finds at its hit: point, normals facing the viewer, texture coordinates, material.
-#ifndef BRUME_RADIANCE_SURFACE_CL
-#define BRUME_RADIANCE_SURFACE_CL
+#ifndef BRUME_MATERIALS_SURFACE_CL
+#define BRUME_MATERIALS_SURFACE_CL
 #include "shapes/shapes.cl"
 
 typedef struct {

@@ -1,8 +1,8 @@
 // Placement of the marchers: n equal steps over the whole stretch inside the medium, each sampled once, W side by side: which
 // brick a sample lies in follows from where it is, and only empty stretches are walked through.
-#ifndef BRUME_TRANSMITTANCE_STEPS_CL
-#define BRUME_TRANSMITTANCE_STEPS_CL
-#include "lib/dda.cl"
+#ifndef BRUME_WALK_STEPS_CL
+#define BRUME_WALK_STEPS_CL
+#include "density/dda.cl"
 #include "lib/rng.cl"
 
 typedef struct {

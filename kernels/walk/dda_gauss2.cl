@@ -1,15 +1,15 @@
 // dda_gauss2: trilinear density along a ray is a cubic inside a cell, so two Gauss–Legendre points are exact.
-#ifndef BRUME_TRANSMITTANCE_DDA_GAUSS2_CL
-#define BRUME_TRANSMITTANCE_DDA_GAUSS2_CL
-#include "transmittance/cells.cl"
+#ifndef BRUME_WALK_DDA_GAUSS2_CL
+#define BRUME_WALK_DDA_GAUSS2_CL
+#include "walk/cells.cl"
 
-static inline floatW dda_gauss2_integral(const Medium* medium, __global const voxel_t* voxels, const MediumRay* ray,
+static inline floatW dda_gauss2_integral(const Medium* medium, __global const Voxel* voxels, const MediumRay* ray,
                                          const Segments* at) {
   (void)medium;
   const floatW middle = lanes_load(at->place), size = lanes_load(at->size);
   const floatW away = size * 0.288675134594813f;  // 1 / (2 √3)
-  const floatW sum = density_trilinear(voxels, ray, at, middle - away, REACH_CELL) +
-                     density_trilinear(voxels, ray, at, middle + away, REACH_CELL);
+  const floatW sum = density_trilinear(voxels, ray, at, middle - away, WITHIN_CELL) +
+                     density_trilinear(voxels, ray, at, middle + away, WITHIN_CELL);
   return 0.5f * size * sum;
 }
 
@@ -21,10 +21,10 @@ static inline void lerp_cubic(floatW f, floatW d, const floatW* a, const floatW*
 }
 
 // ∫ρ from where each segment begins to u of its length, exactly: u (c[0] + u (c[1] + u (c[2] + u c[3]))).
-static inline void dda_gauss2_growth(__global const voxel_t* voxels, const MediumRay* ray, const Segments* at,
+static inline void dda_gauss2_growth(__global const Voxel* voxels, const MediumRay* ray, const Segments* at,
                                      floatW* c) {
   const floatW size = lanes_load(at->size);
-  const Lookup l = lookup_at(ray, at, lanes_load(at->begin), REACH_CELL);
+  const Lookup l = lookup_at(ray, at, lanes_load(at->begin), WITHIN_CELL);
   floatW corner[8], along_x[4][2], along_y[2][3];
   for (int k = 0; k < 4; ++k)
     voxels_gather2(voxels, l.sample + brick_stride(0, k & 1, k >> 1), &corner[2 * k], &corner[2 * k + 1]);

@@ -1,9 +1,9 @@
 // Density at W points, each anywhere: of different rays, of a gradient, of an iso-surface. Each finds its own brick;
 // a walk along one
-// ray knows the bricks from its steps and looks up by lib/medium.cl.
-#ifndef BRUME_LIB_DENSITY_CL
-#define BRUME_LIB_DENSITY_CL
-#include "lib/bricks.cl"
+// ray knows the bricks from its steps and looks up by density/medium.cl.
+#ifndef BRUME_DENSITY_DENSITY_CL
+#define BRUME_DENSITY_DENSITY_CL
+#include "density/bricks.cl"
 
 // 1 (of a vector: -1) in the lanes where lo <= position <= hi.
 #define density_inside(position, lo, hi) (((position) >= (floatW)(lo)) & ((position) <= (floatW)(hi)))

@@ -1,4 +1,4 @@
-// What volumes cost: what is stored in them and not the box around it, and no more than a dense one needs while it
+// What volumes and lights cost: what is stored in them and not the box around it, and no more than a dense one needs while it
 // loads.
 #include <openvdb/openvdb.h>
 #include <sys/wait.h>
@@ -127,6 +127,20 @@ TEST_F(Sparse, ItsDenseTwinIsTheSamePicture) {
     const Outcome plain = run("compare tiles.exr voxels.exr");
     EXPECT_NE(plain.out.find("max_abs           0.0\n"), std::string::npos) << method << "\n" << plain.out;
   }
+}
+
+// Many lights: what each takes, and nothing per light and ray.
+TEST_F(Sparse, TenThousandLightsTakeNoNumberPerRay) {
+  std::string lights;
+  for (int i = 0; i < 10000; ++i)
+    lights += std::string(i ? "," : "") + R"({"type": "point", "position": [)" + std::to_string(i % 100) + ", " +
+              std::to_string(1 + i % 7) + ", " + std::to_string(i / 100) + R"(], "intensity": 0.01})";
+  write("lights.json", R"({"lights": [)" + lights + R"(], "materials": {"grey": {"diffuse": 0.5}},
+    "shapes": [{"type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": "grey"}],
+    "camera": {"eye": [50, 30, -40], "target": [50, 0, 50]}})");
+  const long alone = peak("nothing.json"), many = peak("lights.json");
+  std::printf("peak %ld MiB, without lights %ld MiB\n", many, alone);
+  EXPECT_LT(many, alone + 60);  // 4 096 rays x 10 000 lights x 16 bytes would be 625 MiB
 }
 
 }  // namespace

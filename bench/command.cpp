@@ -12,6 +12,7 @@
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
 #include "film/film_compare.hpp"
+#include "film/film_write.hpp"
 #include "measure.hpp"
 #include "peers.hpp"
 #include "render/device_scene.hpp"
@@ -64,7 +65,7 @@ void render_benchmark(::benchmark::State& state, const DeviceInfo& device, const
     if (!renderer.render(film, [](double) { return !interrupt_requested(); })) interrupt_check();
     state.SetIterationTime(watch.seconds());
   }
-  const CompareResult error = image_compare(picture(film), exact_picture(context, work));
+  const CompareResult error = image_compare(film_image(film), exact_picture(context, work));
   state.counters["rel_rmse"] = error.rel_rmse;
   state.counters["device_MB"] = static_cast<double>(renderer.stats().device_bytes) / 1e6;
   state.counters["lookups"] = renderer.stats().lookups;

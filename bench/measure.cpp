@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/interrupt.hpp"
+#include "film/film_write.hpp"
 #include "flat/flatten.hpp"
 #include "render/device_scene.hpp"
 #include "shared/method.h"
@@ -54,7 +55,7 @@ BRUME_METHODS(ROW)
 #undef ROW
 
 // Of the medium: trilinear, it fades over one voxel more.
-double longest_side(const Workload& work) {
+double workload_longest(const Workload& work) {
   const ivec3 size = work.grid().size();
   return work.voxel_size() * (std::max({size.x, size.y, size.z}) + 1);
 }
@@ -70,7 +71,7 @@ SceneDesc scene_of(const Workload& work, const Setting& setting) {
   SceneDesc desc = work.desc;
   if (method_fits(setting.method) == FITS_NEAREST) desc.media[0].interpolation = INTERPOLATION_NEAREST;
   desc.render.method = setting.method;
-  if (setting.step_voxels > 0) desc.render.step = setting.step_voxels * work.voxel_size() / longest_side(work);
+  if (setting.step_voxels > 0) desc.render.step = setting.step_voxels * work.voxel_size() / workload_longest(work);
   desc.render.shadow = setting.shadow;
   desc.render.light_grid = setting.light_grid;
   desc.render.storage = setting.storage;
@@ -90,17 +91,6 @@ RenderPlan plan_of(const Workload& work, const Setting& setting, const FlatScene
   return plan_render(scene_of(work, setting), flat, {});
 }
 
-Image picture(const Film& film) {
-  Image image;
-  image.width = film.size().x;
-  image.height = film.size().y;
-  image.channels = 3;
-  image.channel_names = {"R", "G", "B"};
-  for (const FilmPixel& p : film.pixels())
-    for (const float sum : {p.radiance.x, p.radiance.y, p.radiance.z}) image.values.push_back(sum / p.samples);
-  return image;
-}
-
 const Image& exact_picture(Context& context, const Workload& work) {
   static std::map<std::string, Image> known;
   const auto found = known.find(work.name);
@@ -111,7 +101,7 @@ const Image& exact_picture(Context& context, const Workload& work) {
                     {lanes, false, 0});
   Film film(work.desc.film.size);
   if (!renderer.render(film, [](double) { return !interrupt_requested(); })) interrupt_check();
-  return known[work.name] = picture(film);
+  return known[work.name] = film_image(film);
 }
 
 }  // namespace brume::bench

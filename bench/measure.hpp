@@ -21,7 +21,6 @@ SceneDesc scene_of(const Workload& work, const Setting& setting);
 // The workload as a setting needs it, flattened once for all that need the same.
 const FlatScene& flat_scene(const Workload& work, const Setting& setting, int lanes);
 RenderPlan plan_of(const Workload& work, const Setting& setting, const FlatScene& flat);
-Image picture(const Film& film);
 
 // The exact picture of a workload: dda_gauss2, light traced. Rendered once and kept.
 const Image& exact_picture(Context& context, const Workload& work);

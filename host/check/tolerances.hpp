@@ -31,7 +31,6 @@ inline constexpr Tolerance TOLERANCES[] = {
     {"light", 2e-5, 0.1,
      "a length, a division, a square; at a spot's soft edge the cosine's ulp over the width of the edge"},
     {"cells", 1e-4, 1, "a crossing carries 3 ulp of t, up to 5: 1e-6, and 50 times that for a ray almost along a face"},
-    {"cells", 1e-4, 1, "summed over up to 80 cells: each crossing carries 3 ulp of t, and t is up to 5"},
     {"density", 5e-7, 0.25, "seven blends of 2 roundings each, with weights that are exact"},
     {"integral", 2e-6, 0.25,
      "both ends of the chord carry 1 ulp of t, which is up to 5; then a sum of up to 100 segments of 4 roundings each"},

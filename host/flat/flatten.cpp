@@ -21,18 +21,13 @@ Bounds view_bounds(const CameraDesc& camera) {
   return bounds;
 }
 
-double longest_side(const Bounds& bounds) {
-  const dvec3 size = bounds.size();
-  return std::max({size.x, size.y, size.z});
-}
-
 // Half the scene's longest side or up to half of that: 1 for the default bounds of media.
-double unit_choose(const Bounds& bounds) { return std::exp2(std::floor(std::log2(longest_side(bounds))) - 1); }
+double unit_choose(const Bounds& bounds) { return std::exp2(std::floor(std::log2(bounds.longest_side())) - 1); }
 
 // The origin to which positions are made relative: a multiple of a power of two near the scene's centre. A scene near zero stays
 // where it is, and a shift by such a multiple leaves every bit of a picture alone.
 dvec3 origin_choose(const Bounds& bounds) {
-  const double unit = std::exp2(std::ceil(std::log2(2 * longest_side(bounds))));
+  const double unit = std::exp2(std::ceil(std::log2(2 * bounds.longest_side())));
   return unit * glm::round(bounds.center() / unit);
 }
 
@@ -49,7 +44,7 @@ FlatScene scene_flatten(const SceneDesc& desc, LoadedScene& loaded, int bvh_widt
   scene.bounds = shapes.bounds;
   for (const LoadedMedium& medium : media) medium_bounds_add(medium, scene.bounds);
   const Bounds size = scene.bounds.empty() ? view_bounds(desc.camera) : scene.bounds;
-  if (!std::isfinite(longest_side(size)))
+  if (!std::isfinite(size.longest_side()))
     throw InputError(scene.name + ": what its transforms make of shapes and media is larger than any number");
   scene.origin = origin_choose(size);
   scene.unit = unit_choose(size);

@@ -53,7 +53,7 @@ double medium_fade(const LoadedMedium& m) {
 
 dvec3 medium_size(const LoadedMedium& m) { return m.grid ? dvec3(m.grid->size()) : dvec3(1); }
 
-double longest_side(const LoadedMedium& m) {
+double medium_longest(const LoadedMedium& m) {
   const dvec3 size = medium_size(m) + 2 * medium_fade(m);
   double longest = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -136,7 +136,7 @@ void medium_flatten(const LoadedMedium& loaded, bool needed_again, FlatGrids& gr
   const FlatDensity density = known != grids.end() ? known->second : density_flatten(loaded, needed_again, scene);
   if (!loaded.is_constant) grids[key] = density;
   scene.media.push_back(body_flatten(loaded, density_place(density, loaded, scene), scene.unit * density.unit));
-  scene.sizes.push_back({loaded.desc->place, longest_side(loaded) / scene.unit, density.largest});
+  scene.sizes.push_back({loaded.desc->place, medium_longest(loaded) / scene.unit, density.largest});
 }
 
 }  // namespace

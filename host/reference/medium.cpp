@@ -32,8 +32,8 @@ Interval ellipsoid_interval(const dvec3& lo, const dvec3& hi, const RayD& ray, I
   const dvec3 closest = origin + middle * dir;
   const double square = (1 - glm::dot(closest, closest)) / a;
   if (square <= 0) return {0, 0};
-  const double half = std::sqrt(square);
-  return {std::max(span.t0, middle - half), std::min(span.t1, middle + half)};
+  const double chord = std::sqrt(square);
+  return {std::max(span.t0, middle - chord), std::min(span.t1, middle + chord)};
 }
 
 // Samples of one cell's brick, or nullptr where the brick is empty.

@@ -84,7 +84,7 @@ void Passes::create_buffers(std::size_t batch_rays) {
   surfaces_ = context_.buffer("surface results", has_surfaces_ ? wave_rays_ * sizeof(SurfaceResult) : 0);
   sent_ = context_.buffer("rays sent on", SENT_MAX * sent * sizeof(Ray));
   samples_ = context_.buffer("samples", batch_rays * sizeof(Sample));
-  sample_sent_ = context_.buffer("numbers of rays sent on", has_specular_ ? batch_rays * sizeof(cl_uint) : 0);
+  sample_sent_ = context_.buffer("numbers of rays sent on", batch_rays * sizeof(cl_uint));
   sample_first_ = context_.buffer("first rays sent on", has_specular_ ? batch_rays * sizeof(cl_uint) : 0);
   pixels_ = context_.buffer("pixels", batch_rays * sizeof(FilmPixel));
 }

@@ -8,6 +8,7 @@
 
 #include "check/check_images.hpp"
 #include "film/film_compare.hpp"
+#include "film/film_write.hpp"
 #include "flat/flatten.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene_reader.hpp"
@@ -32,17 +33,6 @@ struct Voice {
 std::filesystem::path folder_of(const Voice& voice) {
   return voice.elsewhere ? test_data() / "reference/mitsuba"
                          : std::filesystem::path(BRUME_SOURCE_DIR "/tests/data/mitsuba");
-}
-
-Image film_image(const Film& film) {
-  Image image;
-  image.width = film.size().x;
-  image.height = film.size().y;
-  image.channels = 3;
-  image.channel_names = {"R", "G", "B"};
-  for (const FilmPixel& p : film.pixels())
-    for (const float sum : {p.radiance.x, p.radiance.y, p.radiance.z}) image.values.push_back(sum / p.samples);
-  return image;
 }
 
 class Mitsuba : public testing::TestWithParam<Voice> {};

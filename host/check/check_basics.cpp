@@ -44,10 +44,10 @@ void add3(ErrorSum& sum, const float* kernel, const dvec3& reference) {
 
 std::vector<CheckRow> check_layout(Context& context, int lanes, int) {
   const FlatScene scene = check_scene("surfaces", 8, std::max(lanes, 4));
-  const std::vector<std::size_t> sizes{sizeof(Packed3),      sizeof(Affine),       sizeof(Camera),  sizeof(Frame),
-                                       sizeof(Light),        sizeof(Material),     sizeof(Texture), sizeof(Shape),
-                                       sizeof(Triangle),     sizeof(Medium),       sizeof(Ray),     sizeof(Hit),
-                                       sizeof(MediumResult), sizeof(SurfaceResult), sizeof(Sample),  sizeof(FilmPixel)};
+  const std::vector<std::size_t> sizes{
+      sizeof(Packed3),      sizeof(Affine),        sizeof(Camera),   sizeof(Frame),     sizeof(Light), sizeof(Material),
+      sizeof(Texture),      sizeof(Shape),         sizeof(Triangle), sizeof(Medium),    sizeof(Ray),   sizeof(Hit),
+      sizeof(MediumResult), sizeof(SurfaceResult), sizeof(Sample),   sizeof(FilmPixel), sizeof(Work)};
   const std::vector<float> found = Probe(context, scene, lanes).run("probe_layout", {0}, 1, sizes.size());
   ErrorSum sum("layout", lanes, "layout");
   for (std::size_t i = 0; i < sizes.size(); ++i) sum.add(found[i], static_cast<double>(sizes[i]));

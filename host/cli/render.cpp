@@ -97,7 +97,6 @@ bool render_film(const RenderArguments& arguments, Renderer& renderer, Film& fil
   const InterruptRescue rescue([&] {
     if (renderer.stats().primary_rays == 0) return;
     try {
-      renderer.finish(film);
       write();
     } catch (const std::exception& error) {
       say(arguments, error.what());

@@ -53,8 +53,12 @@ uint walked(const Context& context, uint shadow_key, double lookups) {
   return shadow_key;
 }
 
+// squares: the deviation from the mean before times that from the mean with the sample [Welford62].
 void pixel_add(PixelD& sum, const PixelD& sample) {
+  const dvec3 before = sum.radiance / std::max(sum.samples, 1.0);
   sum.radiance += sample.radiance;
+  const dvec3 after = sum.radiance / (sum.samples + 1);
+  if (sum.samples > 0) sum.squares += (sample.radiance - before) * (sample.radiance - after);
   sum.normal += sample.normal;
   sum.transmittance += sample.transmittance;
   sum.samples += sample.samples;
@@ -73,6 +77,7 @@ FilmPixel film_pixel(const PixelD& p) {
   FilmPixel pixel{};
   pixel.radiance = pack(p.radiance);
   pixel.samples = static_cast<float>(p.samples);
+  pixel.squares = pack(p.squares);
   pixel.normal = pack(p.normal);
   pixel.depth = static_cast<float>(p.depth);
   pixel.transmittance = pack(p.transmittance);

@@ -42,12 +42,12 @@ double event_seconds(const cl::Event& event) {
 }  // namespace
 
 Passes::Passes(Context& context, const FlatScene& scene, const std::string& options, int tau_channels,
-               std::size_t batch_rays, std::size_t film_pixels)
+               std::size_t batch_rays)
     : context_(context),
       scene_(context, scene, tau_channels),
       has_surfaces_(!scene.shapes.empty() || !scene.triangles.empty()),
       has_specular_(has_surfaces_ && scene.frame.max_depth > 0 && scene_is_specular(scene)),
-      film_pixels_(film_pixels),
+      unit_(static_cast<cl_float>(scene.unit)),
       group_(std::min(context.device().cpu ? GROUP_CPU : GROUP_GPU, context.device().max_group)) {
   static_assert(std::size(PASSES) == PASS_COUNT, "one row per pass");
   for (const PassRow& pass : PASSES) stats_.push_back({pass.name, 0, 0});
@@ -76,6 +76,7 @@ void Passes::plan_light_grids(const FlatScene& scene) {
 void Passes::create_buffers(std::size_t batch_rays) {
   wave_rays_ = has_specular_ ? std::max(SENT_MAX * batch_rays, WAVE_LEAST) : batch_rays;
   const std::size_t sent = has_specular_ ? wave_rays_ : 0;
+  work_ = context_.buffer("work", batch_rays * sizeof(Work));
   rays_ = context_.buffer("rays", wave_rays_ * sizeof(Ray));
   hits_ = context_.buffer("hits", wave_rays_ * sizeof(Hit));
   results_ = context_.buffer("media results", wave_rays_ * sizeof(MediumResult));
@@ -84,8 +85,7 @@ void Passes::create_buffers(std::size_t batch_rays) {
   samples_ = context_.buffer("samples", batch_rays * sizeof(Sample));
   sample_sent_ = context_.buffer("numbers of rays sent on", has_specular_ ? batch_rays * sizeof(cl_uint) : 0);
   sample_first_ = context_.buffer("first rays sent on", has_specular_ ? batch_rays * sizeof(cl_uint) : 0);
-  film_ = context_.buffer("the film", film_pixels_ * sizeof(FilmPixel));
-  context_.queue().enqueueFillBuffer(film_, cl_uint(0), 0, film_pixels_ * sizeof(FilmPixel));
+  pixels_ = context_.buffer("pixels", batch_rays * sizeof(FilmPixel));
 }
 
 // One program for all passes: the front end reads the shared text once. PoCL compiles a kernel at its first launch: an empty one
@@ -103,9 +103,9 @@ void Passes::create_kernels(const std::string& options) {
   }
   try {
     if (runs(LIGHT_GRID)) enqueue(LIGHT_GRID, 0, cl_int(0), cl_int(0), cl_uint(0), cl_uint(0), scene_.light_tau());
-    enqueue_wave({0, 0, 0, 1}, 0, 0);
+    enqueue_wave(0, 0, 0, 0);
     if (has_specular_) next_wave(0);
-    enqueue(ACCUMULATE, 0, cl_uint(0), cl_uint(0), cl_uint(0), cl_uint(1), samples_, film_);
+    enqueue(ACCUMULATE, 0, work_, cl_uint(0), unit_, samples_, pixels_);
     context_.queue().finish();
   } catch (const cl::Error& error) {
     failed(error);
@@ -170,11 +170,11 @@ void Passes::fill_light_grids(const std::function<bool(double)>& go_on) {
   }
 }
 
-void Passes::enqueue_wave(const Batch& batch, cl_uint wave, cl_uint rays) {
-  enqueue(PRIMARY_RAYS, rays, batch.first_pixel, batch.first_sample, batch.samples, wave, rays, rays_, hits_);
+void Passes::enqueue_wave(cl_uint entries, cl_uint samples, cl_uint wave, cl_uint rays) {
+  enqueue(PRIMARY_RAYS, rays, work_, entries, wave, rays, rays_, hits_);
   enqueue(TRAVERSE_DDA, rays, rays, rays_, hits_, results_);
   if (has_surfaces_) enqueue(SHADOW_TRANSMITTANCE, rays, wave, rays, rays_, hits_, results_, surfaces_, sent_);
-  enqueue(SHADE, batch.rays(), wave, batch.rays(), rays_, hits_, results_, surfaces_, samples_, sample_sent_);
+  enqueue(SHADE, samples, wave, samples, rays_, hits_, results_, surfaces_, samples_, sample_sent_);
 }
 
 // Rays of one sample stay side by side and in order, so that what a sample adds up does not depend on the batch.
@@ -191,40 +191,31 @@ cl_uint Passes::next_wave(cl_uint samples) {
   return static_cast<cl_uint>(rays);
 }
 
-bool Passes::run(const Batch& batch) {
-  const DriverGuard guard;
-  try {
-    cl_uint rays = batch.rays();
-    for (cl_uint wave = 0; rays > 0; ++wave) {
-      enqueue_wave(batch, wave, rays);
-      rays = has_specular_ ? next_wave(batch.rays()) : 0;
-      if (rays > wave_rays_) {
-        finish();
-        return false;
-      }
-    }
-    enqueue(ACCUMULATE, batch.pixels, batch.first_pixel, batch.pixels, batch.first_sample, batch.samples, samples_,
-            film_);
-    finish();
-  } catch (const cl::Error& error) {
-    failed(error);
+bool Passes::enqueue_waves(cl_uint entries, cl_uint samples) {
+  cl_uint rays = samples;
+  for (cl_uint wave = 0; rays > 0; ++wave) {
+    enqueue_wave(entries, samples, wave, rays);
+    rays = has_specular_ ? next_wave(samples) : 0;
+    if (rays > wave_rays_) return false;
   }
   return true;
 }
 
-void Passes::read_film(Film& film, const Frame& frame, const Batch& batch) const {
-  constexpr std::size_t BYTES = sizeof(FilmPixel);
-  const auto row = static_cast<std::size_t>(frame.crop_x1 - frame.crop_x0),
-             film_row = static_cast<std::size_t>(film.size().x);
-  for (std::size_t first = batch.first_pixel, left = batch.pixels; left > 0;) {
-    const std::size_t x = first % row, y = first / row;
-    const bool whole = x == 0 && left >= row;  // as many rows as there are, or a part of one
-    const std::size_t width = whole ? row : std::min(row - x, left), rows = whole ? left / row : 1;
-    context_.queue().enqueueReadBufferRect(
-        film_, CL_TRUE, {x * BYTES, y, 0}, {(x + frame.crop_x0) * BYTES, y + frame.crop_y0, 0},
-        {width * BYTES, rows, 1}, row * BYTES, 0, film_row * BYTES, 0, film.pixels().data());
-    first += width * rows;
-    left -= width * rows;
+bool Passes::run(const std::vector<Work>& batch, std::vector<FilmPixel>& pixels) {
+  const DriverGuard guard;
+  const auto entries = static_cast<cl_uint>(batch.size());
+  const std::size_t bytes = batch.size() * sizeof(FilmPixel);
+  try {
+    const cl::CommandQueue& queue = context_.queue();
+    queue.enqueueWriteBuffer(work_, CL_FALSE, 0, batch.size() * sizeof(Work), batch.data());
+    queue.enqueueWriteBuffer(pixels_, CL_FALSE, 0, bytes, pixels.data());
+    const bool fits = enqueue_waves(entries, batch_rays(batch));
+    if (fits) enqueue(ACCUMULATE, entries, work_, entries, unit_, samples_, pixels_);
+    finish();
+    if (fits) queue.enqueueReadBuffer(pixels_, CL_TRUE, 0, bytes, pixels.data());
+    return fits;
+  } catch (const cl::Error& error) {
+    failed(error);
   }
 }
 

@@ -8,6 +8,7 @@
 #include "cl/context.hpp"
 #include "film/film.hpp"
 #include "flat/flat_scene.hpp"
+#include "render/work.hpp"
 
 namespace brume {
 
@@ -23,13 +24,18 @@ struct PassStats {
   double items = 0;
 };
 
-struct RenderStats {
-  int lanes = 0;
-  double kernel_build_s = 0, upload_s = 0, render_s = 0;
+// Of one render().
+struct RenderCounts {
   double primary_rays = 0, secondary_rays = 0, shadow_rays = 0, lookups = 0;
   double dropped_rays = 0, dropped_weight = 0;  // FilmPixel::dropped_rays, dropped_weight
   double invalid_samples = 0;                   // left out of their pixels (FilmPixel::invalid)
-  glm::ivec2 first_invalid{-1, -1};             // pixel of the first of them, from the top left
+  glm::ivec2 first_invalid{-1, -1};             // pixel of the first of them in the work list, from the top left
+};
+
+// Seconds and passes: of all that the renderer did.
+struct RenderStats : RenderCounts {
+  int lanes = 0;
+  double kernel_build_s = 0, upload_s = 0, render_s = 0;
   std::vector<PassStats> passes;
   std::size_t device_bytes = 0, voxel_bytes = 0, bvh_bytes = 0;
 };
@@ -43,11 +49,12 @@ class Renderer {
   Renderer(Context& context, const FlatScene& scene, const RenderOptions& options);
   ~Renderer();
 
-  // Renders the crop of the frame. A film that was stopped early holds what was done (stats().primary_rays says how much, also while
-  // it goes on); returns false then.
-  bool render(Film& film, const Progress& progress);
-  // For another thread, where render() does not come back: makes what the film holds so far ready to be written.
-  void finish(Film& film);
+  // Adds the samples of `work` to what the film holds, to each pixel in the order of its entries. The film, which has
+  // the size of the camera, is ready to be written after every batch: stopped early it holds what was done
+  // (stats().primary_rays says how much, also while it goes on); returns false then. RuntimeError: a film of another
+  // size, work outside of it.
+  bool render(Film& film, const WorkList& work, const Progress& progress);
+  bool render(Film& film, const Progress& progress);  // work_all
   const RenderStats& stats() const;
 
  private:

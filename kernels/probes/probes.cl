@@ -150,6 +150,7 @@ PROBE(probe_layout) {
   const float sizes[] = {sizeof(Packed3),      sizeof(Affine),       sizeof(Camera),  sizeof(Frame),
                          sizeof(Light),        sizeof(Material),     sizeof(Texture), sizeof(Shape),
                          sizeof(Triangle),     sizeof(Medium),       sizeof(Ray),     sizeof(Hit),
-                         sizeof(MediumResult), sizeof(SurfaceResult), sizeof(Sample),  sizeof(FilmPixel)};
+                         sizeof(MediumResult), sizeof(SurfaceResult), sizeof(Sample),  sizeof(FilmPixel),
+                         sizeof(Work)};
   for (int i = 0; i < (int)(sizeof(sizes) / sizeof(float)); ++i) out[i] = sizes[i];
 }

@@ -8,6 +8,14 @@
 #define SECONDARY_DEPTH_WHOLE 11
 
 BRUME_SHARED_BEGIN
+// Samples of one pixel in a batch. No pixel has two entries in it.
+typedef struct {
+  uint pixel;  // y * width + x of the whole film, y = 0 at the top
+  uint first_sample, samples;
+  uint first_ray;  // of the batch: all samples of the entries before
+} Work;
+BRUME_LAYOUT(Work, 16);
+
 // A camera ray, or one that a surface sent on.
 typedef struct {
   Packed3 origin;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "film/film.hpp"
+#include "film/film_partial.hpp"
 #include "image/image.hpp"
 
 namespace brume {
@@ -14,7 +15,8 @@ struct FilmWriteOptions {
   ImageMetadata metadata;  // linear formats only; stored as "brume:<key>"
   bool alpha =
       false;  // a channel A, for a film without background: multiplied in in .exr, not in .png, left out in .jpg
-  ImageWindow window{};  // of the pixels that were rendered: all that is stored, in linear formats
+  const SampleCover* cover = nullptr;  // of a film that others can be joined to: linear formats keep its sums
+  ImageWindow window{};                // of the pixels that were rendered: all that is stored, in linear formats
 };
 
 // The extension decides: linear radiance R, G, B, A and layers such as "normal.X", or display values. Errors: those of

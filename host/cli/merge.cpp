@@ -103,6 +103,16 @@ std::string missing_text(const FilmPart& part) {
   return text;
 }
 
+// An .exr of it could be joined again.
+void check_size(const MergeArguments& arguments, const FilmPart& whole) {
+  const std::string problem =
+      part_size_problem(whole.film.size(), film_channels(aovs_parse(arguments.aov), whole.value("alpha") == "1"),
+                        whole.cover.layers().size());
+  for (const auto& output : arguments.outputs)
+    if (!problem.empty() && image_format_of_output(output).output == ImageOutput::LINEAR)
+      throw InputError(output.string() + ": " + problem);
+}
+
 int merge_run(MergeArguments arguments) {
   std::vector<NamedFile> outputs, inputs;
   for (const auto& output : arguments.outputs) outputs.push_back({"-o", output});
@@ -112,6 +122,7 @@ int merge_run(MergeArguments arguments) {
   FilmWriteOptions options;
   options.aovs = aovs_parse(arguments.aov);
   const FilmPart whole = merge(arguments.parts);
+  check_size(arguments, whole);
   options.metadata = whole.metadata;
   options.cover = &whole.cover;
   options.window = whole.cover.window(whole.film.size().x);

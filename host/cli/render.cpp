@@ -104,7 +104,7 @@ void check_outputs(const RenderArguments& arguments) {
 
 // The first output that can hold a picture in part; empty where none can.
 std::filesystem::path part_output(const RenderArguments& arguments, ivec2 size) {
-  if (arguments.trim || !part_size_problem(size).empty()) return {};
+  if (arguments.trim || !part_size_problem(size, film_channels(arguments.aovs(), arguments.alpha)).empty()) return {};
   for (const std::filesystem::path& output : arguments.outputs)
     if (image_format_of_output(output).output == ImageOutput::LINEAR) return output;
   return {};
@@ -113,7 +113,7 @@ std::filesystem::path part_output(const RenderArguments& arguments, ivec2 size) 
 void check_part(const RenderArguments& arguments, ivec2 size) {
   if (!arguments.partial || !part_output(arguments, size).empty()) return;
   if (arguments.trim) throw InputError("--partial: a picture cut out by --trim cannot be joined to others");
-  const std::string problem = part_size_problem(size);
+  const std::string problem = part_size_problem(size, film_channels(arguments.aovs(), arguments.alpha));
   throw InputError("--partial: " + (problem.empty() ? "expected an output of type .exr" : problem));
 }
 
@@ -189,7 +189,8 @@ int render_run(RenderArguments arguments) {
   };
   const bool complete = render_film(arguments, renderer, work, film, [&] {
     write(false);
-    say(arguments, "interrupted" + resume_hint(part_file));
+    std::fprintf(stderr, "brume: %s\n",
+                 text_printable("what was done has been written" + resume_hint(part_file)).c_str());
   });
   write(complete);
   say(arguments, render_summary(desc, flat, device, renderer.stats(), times));

@@ -161,9 +161,9 @@ PartChannels::PartChannels(const Film& film, const SampleCover& cover) {
   }
 }
 
-std::string part_size_problem(glm::ivec2 size) {
-  constexpr int OTHER_CHANNELS = 24;  // the picture, all AOVs and the key, with ranges of samples that have one gap
-  return image_size_problem(size.x, size.y, int(std::size(FIELDS)) + OTHER_CHANNELS);
+std::string part_size_problem(glm::ivec2 size, int other_channels, std::size_t layers) {
+  constexpr int KEY_CHANNELS = 2;
+  return image_size_problem(size.x, size.y, int(std::size(FIELDS)) + KEY_CHANNELS + 2 * int(layers) + other_channels);
 }
 
 FilmPart film_part_read(const std::filesystem::path& file) {

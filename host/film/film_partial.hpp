@@ -63,8 +63,9 @@ struct PartChannels {
   std::vector<std::vector<float>> planes_;  // of what is no float in the film
 };
 
-// Why a film of that size is not kept in part (its file could not be read again); "" if it can be.
-std::string part_size_problem(glm::ivec2 size);
+// Why a film of that size is not kept in part (its file could not be read again); "" if it can be. other_channels: R, G, B
+// and planes beside; layers: of its cover.
+std::string part_size_problem(glm::ivec2 size, int other_channels, std::size_t layers = 1);
 
 // InputError, naming file and cause, for what is no such file, for a damaged one, and those of image_read.
 FilmPart film_part_read(const std::filesystem::path& file);

@@ -50,6 +50,12 @@ std::vector<float> display_alpha(const std::vector<float>& radiance, const Plane
 
 }  // namespace
 
+int film_channels(const std::vector<Aov>& aovs, bool alpha) {
+  int channels = alpha ? 4 : 3;
+  for (const Aov aov : aovs) channels += aov_channels(aov);
+  return channels;
+}
+
 void film_write(const Film& film, const std::filesystem::path& file, const FilmWriteOptions& options) {
   if (image_format_of_output(file).output == ImageOutput::LINEAR) return write_linear(film, file, options);
   const std::vector<float> radiance = film.radiance().values;

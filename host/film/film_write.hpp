@@ -19,6 +19,9 @@ struct FilmWriteOptions {
   ImageWindow window{};                // of the pixels that were rendered: all that is stored, in linear formats
 };
 
+// R, G, B, A where there is one, and those of the planes.
+int film_channels(const std::vector<Aov>& aovs, bool alpha);
+
 // The extension decides: linear radiance R, G, B, A and layers such as "normal.X", or display values. Errors: those of
 // image_write_exr and image_write_display. To fail before the rendering, call image_check_writable first.
 void film_write(const Film& film, const std::filesystem::path& file, const FilmWriteOptions& options);

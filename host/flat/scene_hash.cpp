@@ -1,4 +1,4 @@
-// FNV-1a [Noll91] over words of 32 bits, of which all hashed structs consist: no padding.
+// FNV-1a [Fowler91] over words of 32 bits, of which all hashed structs consist: no padding.
 #include "flat/scene_hash.hpp"
 
 #include <cstddef>
@@ -47,24 +47,28 @@ Frame without_own_keys(Frame frame) {
 }  // namespace
 
 std::uint64_t scene_hash(const FlatScene& scene) {
+  // All fields by name, so that a new one does not compile until it is decided here.
+  const auto& [origin, unit, frame, lights, light_shares, materials, textures, texels, shapes, triangles, bvh_width,
+               bvh_nodes, bvh_links, bvh_blocks, bvh_ids, media, bricks, brick_ranges, voxels, storage, packed,
+               storage_error, color_tau, draws, light_grids, light_entries, method, exposure, name, notes] = scene;
   Hash hash;
-  hash.add(scene.origin);
-  hash.add(scene.unit);
-  hash.add(without_own_keys(scene.frame));
-  hash.add(scene.lights);
-  hash.add(scene.light_shares);
-  hash.add(scene.materials);
-  hash.add(scene.textures);
-  hash.add(scene.texels);
-  hash.add(scene.shapes);
-  hash.add(scene.triangles);
-  hash.add(scene.media);
-  hash.add(scene.bricks);
-  hash.add(scene.brick_ranges);
-  hash.add(scene.voxels);
-  hash.add(scene.storage);
-  hash.add(scene.light_grids);
-  hash.add(scene.method);
+  hash.add(origin);
+  hash.add(unit);
+  hash.add(without_own_keys(frame));
+  hash.add(lights);
+  hash.add(light_shares);
+  hash.add(materials);
+  hash.add(textures);
+  hash.add(texels);
+  hash.add(shapes);
+  hash.add(triangles);
+  hash.add(media);
+  hash.add(bricks);
+  hash.add(brick_ranges);
+  hash.add(voxels);
+  hash.add(storage);
+  hash.add(light_grids);
+  hash.add(method);
   return hash.value();
 }
 

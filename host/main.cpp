@@ -31,6 +31,7 @@ int run(int argc, char** argv) {
   brume::command_devices(app, command);
   brume::command_info(app, command);
   brume::command_compare(app, command);
+  brume::command_merge(app, command);
   brume::command_bench(app, command);
   try {
     app.parse(argc, argv);

@@ -75,6 +75,19 @@ Pixels display_window(Pixels&& stored, const OIIO::ImageSpec& spec) {
   return window;
 }
 
+// Few and short, so that no file fills the answer with them.
+void add_metadata(std::vector<std::string>& texts, const OIIO::ImageSpec& spec) {
+  constexpr int COUNT_MAX = 64;
+  int count = 0;
+  for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
+    const std::string key = attribute.name().c_str();
+    if (attribute.type() != OIIO::TypeDesc::STRING || key.rfind(METADATA_PREFIX, 0) != 0) continue;
+    const std::string value = attribute.get_ustring().c_str();
+    if (key.size() + value.size() > METADATA_VALUE_MAX || ++count > COUNT_MAX) continue;
+    texts.insert(texts.end(), {key, value});
+  }
+}
+
 void read(const Peer& peer, const std::vector<std::string>& texts) {
   if (texts.at(0) == "jpeg") {
     const JpegSize size = jpeg_size(texts.at(1));
@@ -90,6 +103,7 @@ void read(const Peer& peer, const std::vector<std::string>& texts) {
   std::vector<std::string> names;
   names.reserve(std::size_t(spec.nchannels));
   for (int c = 0; c < spec.nchannels; ++c) names.push_back(std::string(spec.channel_name(c)));
+  add_metadata(names, spec);
   const std::string joined = texts_join(names);
   const std::size_t bytes = pixels.values.size() * sizeof(float);
   const ImageAnswer answer{pixels.width, pixels.height, spec.nchannels, samples_of(spec.format), joined.size(), bytes};

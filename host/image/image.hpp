@@ -9,6 +9,8 @@
 
 namespace brume {
 
+using ImageMetadata = std::vector<std::pair<std::string, std::string>>;  // key, value
+
 // values[(y * width + x) * channels + c]; row 0 is the TOP row of the picture, whatever the file's own order.
 struct Image {
   int width = 0, height = 0, channels = 0;
@@ -17,8 +19,12 @@ struct Image {
   bool from_integers = false;  // the file stores integers: display values, not radiance
   std::size_t cleaned =
       0;  // texels with a channel that was NaN, infinite or negative and became 0 (image_read_texture only)
-  std::string source;  // the file, for messages
+  std::string source;        // the file, for messages
+  ImageMetadata metadata{};  // string attributes that brume wrote, "brume:..."; image_read only
 };
+
+// The value of that key, or nullptr.
+const std::string* metadata_find(const ImageMetadata& metadata, const std::string& key);
 
 // Reading. Formats are told by content (see image_format.hpp), not by extension; of a multi-part file the first part is
 // read, of a mip-mapped one the finest level; the Exif orientation is not applied. An OpenEXR file is its display window: 0 where nothing
@@ -55,7 +61,6 @@ struct ImageChannel {
   const float* values;
   std::size_t stride = 1;
 };
-using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 
 // The pixels [x0, x1) x [y0, y1) of a picture; all 0: the whole of it.
 struct ImageWindow {

@@ -3,11 +3,12 @@
 #pragma once
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace brume {
 
-inline constexpr int IMAGE_PROTOCOL = 2;  // a program left over from another version says so instead of guessing
+inline constexpr int IMAGE_PROTOCOL = 3;  // a program left over from another version says so instead of guessing
 
 enum class Samples { UINT8, UINT16, OTHER_INTEGER, FLOATING };
 enum class ImageAction { READ, WRITE };
@@ -26,7 +27,8 @@ struct ImageRequest {
 };
 
 // Followed by text_bytes of texts and value_bytes of values. width 0: it failed, the text says why.
-//   READ: one text per channel, its name, then the values as float, integers scaled to [0, 1].
+//   READ: one text per channel, its name, then key, value of the string attributes whose key begins with METADATA_PREFIX;
+//     the values as float, integers scaled to [0, 1].
 //   WRITE: no texts; the bytes of the file. Nothing here touches the disk: brume itself writes, and is told what the system says.
 struct ImageAnswer {
   int width, height, channels;
@@ -41,6 +43,8 @@ inline constexpr std::size_t IMAGE_WORK_BYTES_MAX =
     3 * IMAGE_BYTES_MAX;  // to decode it: pixels, window, what the library keeps
 inline constexpr int IMAGE_CHANNELS_MAX = 1024;
 inline constexpr std::size_t IMAGE_TEXT_MAX = 1 << 20;
+inline constexpr std::string_view METADATA_PREFIX = "brume:";
+inline constexpr std::size_t METADATA_VALUE_MAX = 4096;  // longer attributes are not read
 inline constexpr unsigned IMAGE_READ_SECONDS = 120;
 
 // Why an image of that size is not read; "" if it is.

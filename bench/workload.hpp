@@ -21,8 +21,8 @@ struct Workload {
   double voxel_size() const { return glm::length(glm::dvec3(grid().world_from_lattice[0])); }
 };
 
-// fog128: a smooth fog of 128³ voxels, a sum of Gaussians, written to `folder`. fog256_sparse: the same fog in eight times
-// the volume, the rest of it empty. smoke: BRUME_TEST_DATA/volumes/smoke.vdb where that is there.
+// fog128: a smooth fog of 128³ voxels, a sum of Gaussians, written to `folder`. fog256_sparse: the same fog in eight
+// times the volume, the rest of it empty. smoke: BRUME_TEST_DATA/volumes/smoke.vdb where that is there.
 std::vector<Workload> workloads(const std::filesystem::path& folder, int size);
 
 }  // namespace brume::bench

@@ -16,8 +16,8 @@ inline constexpr int RAY_MOVES = 12;
 reference::RayD ray_moved(const reference::RayD& ray, int move);
 
 // Adds the values of a ray or pixel. Where they disagree, and the reference with a moved ray disagrees with itself as
-// well (a ray along a plane or past a silhouette, a sample on a voxel's face, another number of steps or collisions), it
-// is an edge; never where a value is no number.
+// well (a ray along a plane or past a silhouette, a sample on a voxel's face, another number of steps or collisions),
+// it is an edge; never where a value is no number.
 void add_or_edge(ErrorSum& sum, const std::vector<double>& kernel, const std::vector<double>& reference,
                  const std::function<std::vector<double>(int move)>& moved);
 

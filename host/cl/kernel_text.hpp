@@ -1,5 +1,5 @@
-// The text of every file of kernels/, compiled into the program (cmake/embed_kernels.cmake): brume runs without its source
-// folder. Not the loader: includes are resolved in program.hpp.
+// The text of every file of kernels/, compiled into the program (cmake/embed_kernels.cmake): brume runs without its
+// source folder. Not the loader: includes are resolved in program.hpp.
 #pragma once
 #include <string_view>
 #include <vector>

@@ -46,7 +46,8 @@ void source_append(std::string_view text, std::string_view name, std::set<std::s
   }
 }
 
-// Into a file of its own: other builds fail too, and the temporary folder is everybody's. Says where, or that it could not.
+// Into a file of its own: other builds fail too, and the temporary folder is everybody's. Says where, or that it could
+// not.
 std::string source_keep(const std::string& source) {
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::temp_directory_path(error);

@@ -1,4 +1,5 @@
-// brume render: scene (or bare volume, or mesh) → pictures. Reads as the pipeline: description → flat → device → film → images.
+// brume render: scene (or bare volume, or mesh) → pictures. Reads as the pipeline: description → flat → device → film →
+// images.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <functional>

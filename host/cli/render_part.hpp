@@ -1,5 +1,5 @@
-// Renders in part: which samples are to be rendered, which a film holds then, and what a file says of itself so that others
-// can be joined to it.
+// Renders in part: which samples are to be rendered, which a film holds then, and what a file says of itself so that
+// others can be joined to it.
 #pragma once
 #include <filesystem>
 #include <string>

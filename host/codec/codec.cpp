@@ -58,8 +58,8 @@ Pixels decode(OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
   return pixels;
 }
 
-// The display window of an OpenEXR file is the picture: what is stored beyond it is cut off, what is not stored in it is 0. (Other formats
-// place their pixels on a page or a canvas, which is not part of the picture.)
+// The display window of an OpenEXR file is the picture: what is stored beyond it is cut off, what is not stored in it
+// is 0. (Other formats place their pixels on a page or a canvas, which is not part of the picture.)
 Pixels display_window(Pixels&& stored, const OIIO::ImageSpec& spec) {
   check_size(spec.full_width, spec.full_height, spec.nchannels);
   const std::ptrdiff_t dx = std::ptrdiff_t(spec.x) - spec.full_x, dy = std::ptrdiff_t(spec.y) - spec.full_y;

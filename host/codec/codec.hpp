@@ -1,5 +1,5 @@
-// Image files by OpenImageIO, answering the requests of host/image (image_protocol.hpp). Everything here runs in the program
-// brume-image, which loads it as a module.
+// Image files by OpenImageIO, answering the requests of host/image (image_protocol.hpp). Everything here runs in the
+// program brume-image, which loads it as a module.
 #pragma once
 
 namespace brume {

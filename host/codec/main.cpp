@@ -1,4 +1,5 @@
-// brume-image: reads and writes image files for brume, which starts it and talks to it on standard input (image/image_protocol.hpp).
+// brume-image: reads and writes image files for brume, which starts it and talks to it on standard input
+// (image/image_protocol.hpp).
 #include <dlfcn.h>
 #include <sys/resource.h>
 #include <sys/socket.h>

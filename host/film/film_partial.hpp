@@ -1,5 +1,5 @@
-// A picture in part: which samples of which pixels a film holds, and the .exr file that keeps its sums, so that parts can
-// be joined and renders go on.
+// A picture in part: which samples of which pixels a film holds, and the .exr file that keeps its sums, so that parts
+// can be joined and renders go on.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -63,14 +63,15 @@ struct PartChannels {
   std::vector<std::vector<float>> planes_;  // of what is no float in the film
 };
 
-// Why a film of that size is not kept in part (its file could not be read again); "" if it can be. other_channels: R, G, B
-// and planes beside; layers: of its cover.
+// Why a film of that size is not kept in part (its file could not be read again); "" if it can be. other_channels: R,
+// G, B and planes beside; layers: of its cover.
 std::string part_size_problem(glm::ivec2 size, int other_channels, std::size_t layers = 1);
 
 // InputError, naming file and cause, for what is no such file, for a damaged one, and those of image_read.
 FilmPart film_part_read(const std::filesystem::path& file);
 
-// InputError, naming the file, the key and both values, where a part is not one of the picture that `source` is (part of).
+// InputError, naming the file, the key and both values, where a part is not one of the picture that `source` is (part
+// of).
 void film_parts_match(const std::string& source, const ImageMetadata& metadata, const FilmPart& part);
 
 }  // namespace brume

@@ -27,7 +27,8 @@ constexpr float VALUE_MIN = 1e-20f, VALUE_MAX = 1e20f;   // of the largest densi
 constexpr double EXTENT_MIN = 1e-30, EXTENT_MAX = 1e30;  // whose coefficients and cameras single precision holds
 const dvec3 TOWARDS_CAMERA = glm::normalize(dvec3(0.35, 0.2, 1.0));
 
-// Looks at the middle of the bounds from the front, a little right and above, so that their sphere just fits, into a portrait too.
+// Looks at the middle of the bounds from the front, a little right and above, so that their sphere just fits, into a
+// portrait too.
 CameraDesc camera_frame(const Bounds& bounds, ivec2 film) {
   CameraDesc camera;
   const double radius = 0.5 * glm::length(bounds.size()), up = glm::radians(0.5 * VFOV);
@@ -72,8 +73,8 @@ std::string box_text(const Bounds& b) {
   return text;
 }
 
-// Coefficients that make the densest view τ = DENSEST_VIEW, and a line that says so. Values whose coefficients single precision could not
-// hold are brought to 1 first.
+// Coefficients that make the densest view τ = DENSEST_VIEW, and a line that says so. Values whose coefficients single
+// precision could not hold are brought to 1 first.
 std::string medium_expose(MediumDesc& medium, const Grid& grid, float largest, const CameraDesc& camera) {
   double densest = grid_densest_view(grid, camera.eye, camera.target);
   if (!(densest > 0)) {

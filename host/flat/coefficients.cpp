@@ -8,8 +8,8 @@ namespace brume {
 
 namespace {
 
-// Only density times coefficient means anything. Densities whose largest is no more than this away from 1 stay; others are scaled
-// by a power of two, so that float (and half) hold them and what is made of them.
+// Only density times coefficient means anything. Densities whose largest is no more than this away from 1 stay; others
+// are scaled by a power of two, so that float (and half) hold them and what is made of them.
 constexpr double DENSITY_RANGE = 1024;
 
 double density_unit(double largest) {
@@ -17,7 +17,8 @@ double density_unit(double largest) {
   return fits ? 1 : std::exp2(std::floor(std::log2(largest)));
 }
 
-// What absorbs more than this per flat unit is opaque over any length; no more than that is kept, so that τ stays within float.
+// What absorbs more than this per flat unit is opaque over any length; no more than that is kept, so that τ stays
+// within float.
 constexpr double OPAQUE = 1e30;
 
 }  // namespace

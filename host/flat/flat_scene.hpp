@@ -1,5 +1,5 @@
-// The scene as flat arrays of shared structs: with a RenderPlan the only thing that both kernels and reference see. No pointers, no
-// files, nothing that one picture decides: made once, uploaded once.
+// The scene as flat arrays of shared structs: with a RenderPlan the only thing that both kernels and reference see. No
+// pointers, no files, nothing that one picture decides: made once, uploaded once.
 #pragma once
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -24,9 +24,9 @@ struct MediumSize {
 };
 
 struct FlatScene {
-  // Lengths are in units of the scene's own size, positions relative to `origin` (both in world units): float is spent on the
-  // scene, not on where it stands or how large it is. `unit` is a power of two, so that it rounds nothing; coefficients are per
-  // flat unit, intensities that fall off with distance per flat unit squared.
+  // Lengths are in units of the scene's own size, positions relative to `origin` (both in world units): float is spent
+  // on the scene, not on where it stands or how large it is. `unit` is a power of two, so that it rounds nothing;
+  // coefficients are per flat unit, intensities that fall off with distance per flat unit squared.
   glm::dvec3 origin{0};
   double unit = 1;
   glm::dvec3 point(const glm::dvec3& world) const { return (world - origin) / unit; }

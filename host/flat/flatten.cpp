@@ -24,8 +24,8 @@ Bounds view_bounds(const CameraDesc& camera) {
 // Half the scene's longest side or up to half of that: 1 for the default bounds of media.
 double unit_choose(const Bounds& bounds) { return std::exp2(std::floor(std::log2(bounds.longest_side())) - 1); }
 
-// The origin to which positions are made relative: a multiple of a power of two near the scene's centre. A scene near zero stays
-// where it is, and a shift by such a multiple leaves every bit of a picture alone.
+// The origin to which positions are made relative: a multiple of a power of two near the scene's centre. A scene near
+// zero stays where it is, and a shift by such a multiple leaves every bit of a picture alone.
 dvec3 origin_choose(const Bounds& bounds) {
   const double unit = std::exp2(std::ceil(std::log2(2 * bounds.longest_side())));
   return unit * glm::round(bounds.center() / unit);

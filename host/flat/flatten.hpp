@@ -1,4 +1,5 @@
-// SceneDesc and what is loaded for it → FlatScene, laid out for the kernels; and with the plan of one picture in one call.
+// SceneDesc and what is loaded for it → FlatScene, laid out for the kernels; and with the plan of one picture in one
+// call.
 #pragma once
 #include "flat/bounds.hpp"
 #include "flat/render_plan.hpp"
@@ -8,8 +9,8 @@
 
 namespace brume {
 
-// What `desc` names and `loaded` does not hold is loaded into it. bvh_width: a multiple of the lanes that will traverse the BVH.
-// Throws InputError naming the place in the scene (or the file behind it) for whatever cannot be rendered.
+// What `desc` names and `loaded` does not hold is loaded into it. bvh_width: a multiple of the lanes that will traverse
+// the BVH. Throws InputError naming the place in the scene (or the file behind it) for whatever cannot be rendered.
 FlatScene scene_flatten(const SceneDesc& desc, LoadedScene& loaded, int bvh_width);
 
 struct FlattenOptions {

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double BOUNDS_MARGIN = 1.0 / 32;  // flat units: camera rays start that much before the scene
 
-// The place of the camera (shared/camera.h), as multiples of `forward` from the target, which is exact where the scene is.
+// The place of the camera (shared/camera.h), as multiples of `forward` from the target, which is exact where the scene
+// is.
 void camera_place(const CameraDesc& c, const Bounds& bounds, const dvec3& forward, const FlatScene& scene,
                   Camera& camera) {
   const dvec3 eye = scene.point(c.eye), target = scene.point(c.target);

@@ -64,8 +64,8 @@ std::uint32_t curve_place(const Light& l) {
   return spread(cell(l.position.x)) | spread(cell(l.position.y)) << 1 | spread(cell(l.position.z)) << 2;
 }
 
-// Half of it by power, half evenly, so that no light that is near somewhere is missed for long. In the order of a curve through
-// space: picks at even distances are then spread over the scene as well.
+// Half of it by power, half evenly, so that no light that is near somewhere is missed for long. In the order of a curve
+// through space: picks at even distances are then spread over the scene as well.
 void shares_fill(FlatScene& scene) {
   if (scene.lights.size() > LIGHTS_ENUMERATED)
     std::stable_sort(scene.lights.begin(), scene.lights.end(),

@@ -46,7 +46,8 @@ LoadedMedium load_medium(const SceneDesc& desc, const MediumRow& row, LoadedScen
   return loaded;
 }
 
-// How far the medium goes on beyond its lattice [0, size], in voxels: a trilinear field with zero outside fades over half a voxel more.
+// How far the medium goes on beyond its lattice [0, size], in voxels: a trilinear field with zero outside fades over
+// half a voxel more.
 double medium_fade(const LoadedMedium& m) {
   return m.grid && m.grid->border == Border::ZERO && m.desc->interpolation == INTERPOLATION_TRILINEAR ? 0.5 : 0.0;
 }

@@ -1,4 +1,5 @@
-// The parts of flatten(), in the order in which it calls them. Loading comes first because the origin depends on all of it.
+// The parts of flatten(), in the order in which it calls them. Loading comes first because the origin depends on all of
+// it.
 #pragma once
 #include <memory>
 #include <string>
@@ -22,10 +23,11 @@ struct MediumRow {
 };
 std::vector<MediumRow> media_rows(const SceneDesc& desc);
 
-// The method of a medium: a method of its own has to fit it; where that of the picture does not, it is the exact one. Never auto. Throws
-// InputError.
+// The method of a medium: a method of its own has to fit it; where that of the picture does not, it is the exact one.
+// Never auto. Throws InputError.
 int method_resolve(const SceneDesc& desc, const MediumDesc& medium);
-// One line about the media that take another method than the picture asks for; InputError where all do that have none of their own.
+// One line about the media that take another method than the picture asks for; InputError where all do that have none
+// of their own.
 void methods_tell(const SceneDesc& desc, const std::vector<MediumRow>& media, std::vector<std::string>& notes);
 // Throws InputError where methods or light grids fit no medium.
 void media_check(const SceneDesc& desc);
@@ -36,8 +38,8 @@ struct LoadedMedium {
   bool is_constant, sphere;  // closed form; cut to a sphere
   bool only_glows;           // it is the glow of another medium
   double constant = 0;
-  std::shared_ptr<Grid> grid;  // media of the same density share it
-  dmat4 world_from_lattice{1.0};     // lattice: [0, size] of the grid, or the unit cube of a constant medium
+  std::shared_ptr<Grid> grid;     // media of the same density share it
+  dmat4 world_from_lattice{1.0};  // lattice: [0, size] of the grid, or the unit cube of a constant medium
 };
 std::vector<LoadedMedium> load_media(const SceneDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes);
 void medium_bounds_add(const LoadedMedium& medium, Bounds& bounds);
@@ -75,13 +77,14 @@ void work_check(const SceneDesc& desc, const FlatScene& scene, const RenderPlan&
 
 // Largest density of the medium, whose bricks are the last of the scene: those of the voxels from first_voxel on.
 float density_max(const Medium& medium, std::size_t first_voxel, const FlatScene& scene);
-// Puts its densities, the voxels from first_voxel on, into units that float and half hold; returns the unit, a power of two.
+// Puts its densities, the voxels from first_voxel on, into units that float and half hold; returns the unit, a power of
+// two.
 double densities_scale(Medium& medium, std::size_t first_voxel, FlatScene& scene);
 // Coefficients times `per`: flat units of length, units of density.
 void coefficients_flatten(const MediumDesc& desc, double per, MediumBody& medium);
 
-// The light grids of a medium to which they pay, one per light (shared/light_grid.h): the number of the first, -1 for none. Needs the
-// medium's geometry and coefficients, and the lights.
+// The light grids of a medium to which they pay, one per light (shared/light_grid.h): the number of the first, -1 for
+// none. Needs the medium's geometry and coefficients, and the lights.
 // Throws InputError where they have more entries than kernels count.
 int light_grids_append(const SceneDesc& desc, const Medium& medium, const FlatScene& scene, RenderPlan& plan);
 

@@ -28,7 +28,8 @@ dmat4 matrix(const Affine& a) {
   return m;
 }
 
-// The box of a medium divided evenly: the longest side in render.light_grid parts, the others in as many of that size as cover them.
+// The box of a medium divided evenly: the longest side in render.light_grid parts, the others in as many of that size
+// as cover them.
 struct Lattice {
   ivec3 points;
   dvec3 lo, spacing;  // cell space
@@ -67,7 +68,8 @@ LightGrid grid_upright(const Lattice& lattice) {
   return grid;
 }
 
-// How many columns the planes hold among them, and the first: those of the last plane lie floor(slope (nk - 1)) beside the first's.
+// How many columns the planes hold among them, and the first: those of the last plane lie floor(slope (nk - 1)) beside
+// the first's.
 void columns_count(float slope, int nk, int n, int& first, int& count) {
   const int last = static_cast<int>(std::floor(slope * static_cast<float>(nk - 1)));
   first = std::min(last, 0);
@@ -79,8 +81,8 @@ float slope_of(double slope, int nk) {
   return std::abs(slope) * (nk - 1) < LIGHT_GRID_INSET ? 0.0f : static_cast<float>(slope);
 }
 
-// Columns along a light that travels by `travel` in cell space per world unit; planes across the axis along which it crosses most of
-// them, so that no column moves by more than one from plane to plane.
+// Columns along a light that travels by `travel` in cell space per world unit; planes across the axis along which it
+// crosses most of them, so that no column moves by more than one from plane to plane.
 LightGrid grid_along(const Lattice& lattice, const dvec3& travel) {
   const dvec3 steps = travel / lattice.spacing, size = glm::abs(steps);
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
@@ -89,8 +91,8 @@ LightGrid grid_along(const Lattice& lattice, const dvec3& travel) {
   grid.nk = lattice.points[axis];
   grid.slope_u = slope_of(-steps[axis_u] / steps[axis], grid.nk);
   grid.slope_v = slope_of(-steps[axis_v] / steps[axis], grid.nk);
-  // A plane holds the columns that meet the box there or up to the planes beside: one more on either side, and one because they
-  // do not begin where the box does.
+  // A plane holds the columns that meet the box there or up to the planes beside: one more on either side, and one
+  // because they do not begin where the box does.
   const glm::dvec4 margin(0, 0, 0, 1), k = lattice_row(lattice, axis);
   grid.nu = lattice.points[axis_u] + 3;
   grid.nv = lattice.points[axis_v] + 3;

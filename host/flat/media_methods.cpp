@@ -39,8 +39,8 @@ std::string method_name(int method) { return std::string(family_name(method_fami
                    "' of " + m.place + "; these do: " + methods_that_fit(medium_fits(m)));
 }
 
-// A grid of depths to the lights is for what scatters, and not for methods whose collisions differ from run to run of a light ray: frozen
-// into it their noise would be an error that no number of samples mends.
+// A grid of depths to the lights is for what scatters, and not for methods whose collisions differ from run to run of a
+// light ray: frozen into it their noise would be an error that no number of samples mends.
 void light_grids_check(const SceneDesc& desc) {
   const auto scatters = [](const MediumDesc& m) { return m.sigma_s != dvec3(0); };
   if (desc.render.shadow != SHADOW_GRID) return;

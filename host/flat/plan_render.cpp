@@ -20,8 +20,8 @@ void crop_set(Frame& frame, const std::array<int, 4>& crop, glm::ivec2 size) {
                      " and 0 <= Y0 < Y1 <= " + std::to_string(size.y));
 }
 
-// The rate at which trackers collide, per density: the largest extinction. A medium that only glows has none: eight collisions on
-// the longest way (flat units) through its densest part then, else its light would never be sampled.
+// The rate at which trackers collide, per density: the largest extinction. A medium that only glows has none: eight
+// collisions on the longest way (flat units) through its densest part then, else its light would never be sampled.
 float track_sigma_of(const MediumBody& m, const MediumSize& size) {
   const double largest = std::max({m.sigma_a.x + m.sigma_s.x, m.sigma_a.y + m.sigma_s.y, m.sigma_a.z + m.sigma_s.z});
   return static_cast<float>(largest > 0 || !(size.densest > 0) ? largest : 8 / (size.longest * size.densest));

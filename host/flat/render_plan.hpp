@@ -1,5 +1,5 @@
-// What one picture of a FlatScene decides: size, crop and samples, seed, method and step of each medium, how light reaches it, how
-// voxels are stored. Another plan of the same scene reads no file and uploads no geometry.
+// What one picture of a FlatScene decides: size, crop and samples, seed, method and step of each medium, how light
+// reaches it, how voxels are stored. Another plan of the same scene reads no file and uploads no geometry.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -37,9 +37,9 @@ struct PlanOptions {
   bool hide_background = false;         // from the camera; mirrors and glass go on seeing it
 };
 
-// `desc` may differ from that of the flat scene in its camera, film and "render", and in "method" and "step" of media. Throws InputError
-// for a plan that does not fit, naming the place; also where a constant density would need voxels that the flat scene does not
-// have, or the other way round.
+// `desc` may differ from that of the flat scene in its camera, film and "render", and in "method" and "step" of media.
+// Throws InputError for a plan that does not fit, naming the place; also where a constant density would need voxels
+// that the flat scene does not have, or the other way round.
 RenderPlan plan_render(const SceneDesc& desc, const FlatScene& flat, const PlanOptions& options);
 
 // All voxels as `storage` (not f32) holds them; `voxels`, those of the flat scene, become the values that devices see.
@@ -48,8 +48,8 @@ StoredVoxels voxels_store(const FlatScene& flat, int storage, std::vector<float>
 // A medium with everything about it.
 Medium medium_of(const FlatScene& flat, const MediumWalk& walk, std::size_t medium);
 
-// A scene with its only plan. Its voxels and ranges are those that devices see, rounded where the storage is not f32: what the
-// reference renders.
+// A scene with its only plan. Its voxels and ranges are those that devices see, rounded where the storage is not f32:
+// what the reference renders.
 struct PlannedScene : FlatScene, RenderPlan {
   Medium medium(std::size_t i) const { return medium_of(*this, walks[i], i); }
   std::vector<std::string> all_notes() const {

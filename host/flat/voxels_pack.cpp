@@ -1,5 +1,5 @@
-// Voxels in fewer bytes. What the reference and the ranges see is what devices read: rounding is an error of the data, never one
-// between kernels and reference.
+// Voxels in fewer bytes. What the reference and the ranges see is what devices read: rounding is an error of the data,
+// never one between kernels and reference.
 #include <Imath/half.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Image files in and out through OpenImageIO (in host/codec): what is read, what is refused, what is written. No tone curve
-// (host/film), no texture lookup, no comparison.
+// Image files in and out through OpenImageIO (in host/codec): what is read, what is refused, what is written. No tone
+// curve (host/film), no texture lookup, no comparison.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -27,11 +27,11 @@ struct Image {
 const std::string* metadata_find(const ImageMetadata& metadata, const std::string& key);
 
 // Reading. Formats are told by content (see image_format.hpp), not by extension; of a multi-part file the first part is
-// read, of a mip-mapped one the finest level; the Exif orientation is not applied. An OpenEXR file is its display window: 0 where nothing
-// is stored, without what is stored beyond it.
+// read, of a mip-mapped one the finest level; the Exif orientation is not applied. An OpenEXR file is its display
+// window: 0 where nothing is stored, without what is stored beyond it.
 //
-// The library runs in a program of its own, brume-image (image_program.hpp): some damaged files kill it from within (abort, stack
-// overflow). One thread at a time.
+// The library runs in a program of its own, brume-image (image_program.hpp): some damaged files kill it from within
+// (abort, stack overflow). One thread at a time.
 //
 // Errors: InputError for a file that is missing, of no known format, too large (the message gives size and limit),
 // damaged, deep or volumetric, or that crashes the library ("... makes the image library crash (signal 6)").
@@ -69,13 +69,13 @@ struct ImageWindow {
   int height() const { return y1 - y0; }
 };
 
-// 32-bit float OpenEXR, zip compression, string attributes. Channel names with a dot are layers ("normal.X"). Stored are the
-// pixels of `window`, OpenEXR's data window, of a picture of that width and height.
+// 32-bit float OpenEXR, zip compression, string attributes. Channel names with a dot are layers ("normal.X"). Stored
+// are the pixels of `window`, OpenEXR's data window, of a picture of that width and height.
 void image_write_exr(const std::filesystem::path& file, int width, int height,
                      const std::vector<ImageChannel>& channels, const ImageMetadata& metadata, ImageWindow window = {});
 
-// 8-bit PNG or JPEG (quality 95, no chroma subsampling) from 3 display values in [0,1] per pixel; NaN is written as 0. With `alpha` 4 values,
-// the last one alpha, not multiplied into the others: PNG only.
+// 8-bit PNG or JPEG (quality 95, no chroma subsampling) from 3 display values in [0,1] per pixel; NaN is written as 0.
+// With `alpha` 4 values, the last one alpha, not multiplied into the others: PNG only.
 void image_write_display(const std::filesystem::path& file, int width, int height, const std::vector<float>& values,
                          bool alpha = false);
 

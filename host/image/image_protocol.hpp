@@ -1,5 +1,5 @@
-// What brume and brume-image (host/codec) say to each other over a socket: one request, one answer, in the machine's own byte order; both are
-// built together.
+// What brume and brume-image (host/codec) say to each other over a socket: one request, one answer, in the machine's
+// own byte order; both are built together.
 #pragma once
 #include <cstddef>
 #include <string>
@@ -15,8 +15,10 @@ enum class ImageAction { READ, WRITE };
 
 // Followed by text_bytes of texts and value_bytes of values.
 //   READ: texts plugin, file; no values.
-//   WRITE: texts plugin, one name per channel, then key, value pairs; values as `samples` says (UINT8 or FLOATING), channels interleaved.
-//     x, y and full_*: the part of the whole picture that the values are, which OpenEXR calls data window and display window.
+//   WRITE: texts plugin, one name per channel, then key, value pairs; values as `samples` says (UINT8 or FLOATING),
+//   channels interleaved.
+//     x, y and full_*: the part of the whole picture that the values are, which OpenEXR calls data window and display
+//     window.
 struct ImageRequest {
   int protocol;
   ImageAction action;
@@ -27,9 +29,11 @@ struct ImageRequest {
 };
 
 // Followed by text_bytes of texts and value_bytes of values. width 0: it failed, the text says why.
-//   READ: one text per channel, its name, then key, value of the string attributes whose key begins with METADATA_PREFIX;
+//   READ: one text per channel, its name, then key, value of the string attributes whose key begins with
+//   METADATA_PREFIX;
 //     the values as float, integers scaled to [0, 1].
-//   WRITE: no texts; the bytes of the file. Nothing here touches the disk: brume itself writes, and is told what the system says.
+//   WRITE: no texts; the bytes of the file. Nothing here touches the disk: brume itself writes, and is told what the
+//   system says.
 struct ImageAnswer {
   int width, height, channels;
   Samples samples;

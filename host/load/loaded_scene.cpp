@@ -25,8 +25,7 @@ DensitySpec density_spec(const DensityDesc& d) {
 
 // What `known` has under the key, else what `load` makes.
 template <class T, class Load>
-std::shared_ptr<T> once(std::map<std::string, std::shared_ptr<T>>& known, const std::string& key,
-                              Load load) {
+std::shared_ptr<T> once(std::map<std::string, std::shared_ptr<T>>& known, const std::string& key, Load load) {
   const auto found = known.find(key);
   if (found != known.end()) return found->second;
   return known[key] = std::make_shared<T>(load());

@@ -1,5 +1,6 @@
-// What the files of a scene hold, read once however often it is named: the volumes as grids, the meshes in their own space, the
-// textures as texels. Knows no units, no methods and no picture; another description of the same files finds what is here.
+// What the files of a scene hold, read once however often it is named: the volumes as grids, the meshes in their own
+// space, the textures as texels. Knows no units, no methods and no picture; another description of the same files finds
+// what is here.
 #pragma once
 #include <cstddef>
 #include <filesystem>

@@ -1,5 +1,5 @@
-// A reader of our own: tinyobjloader carries what one material says into the next, reads "0,2" as 0, keeps float only, and drops
-// without a word what it does not know; who renders other people's files has to hear of each such line.
+// A reader of our own: tinyobjloader carries what one material says into the next, reads "0,2" as 0, keeps float only,
+// and drops without a word what it does not know; who renders other people's files has to hear of each such line.
 #include "mesh/mtl_reader.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// See obj_parse.hpp. A reader of our own: tinyobjloader keeps vertices in float, and drops, guesses at or reads as 0 what it does not
-// understand, so that most of its work had to be done before it.
+// See obj_parse.hpp. A reader of our own: tinyobjloader keeps vertices in float, and drops, guesses at or reads as 0
+// what it does not understand, so that most of its work had to be done before it.
 #include "mesh/obj_parse.hpp"
 
 #include <algorithm>

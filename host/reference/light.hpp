@@ -16,8 +16,8 @@ struct LightSample {
   bool shines() const { return irradiance.x > 0 || irradiance.y > 0 || irradiance.z > 0; }
 };
 
-// Which lights a point asks, each with what its light counts: all, or some chosen (FlatScene::light_shares). random: of the ray or walk,
-// n: the number of the segment, 0 for a surface. `all`: none are chosen.
+// Which lights a point asks, each with what its light counts: all, or some chosen (FlatScene::light_shares). random: of
+// the ray or walk, n: the number of the segment, 0 for a surface. `all`: none are chosen.
 struct LightPick {
   std::size_t light;
   double weight;

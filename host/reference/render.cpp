@@ -91,8 +91,8 @@ FilmPixel film_pixel(const PixelD& p) {
   return pixel;
 }
 
-// depth: bounces before a ray. heirs: how many rays it may send on, those that these send on included; in single precision, as in the
-// kernels, so that both drop the same rays. weight: of its light in the sample.
+// depth: bounces before a ray. heirs: how many rays it may send on, those that these send on included; in single
+// precision, as in the kernels, so that both drop the same rays. weight: of its light in the sample.
 struct PathState {
   RandomStream random;
   int depth = 0;

@@ -15,8 +15,8 @@ double rng_uniform(uint pixel, uint sample, uint dimension, uint seed);
 // Point `index` of Sobol's sequence in dimension 0 or 1, times 2³² [Sobol67].
 uint sobol(uint index, int dimension);
 
-// Position of sample `sample` within its pixel, (0,0) the pixel's top left corner: multiples of 2⁻²⁴ in [0,1), the centre
-// where spp is 1 [Burley20] [Vegdahl21]. Depends on spp in nothing else.
+// Position of sample `sample` within its pixel, (0,0) the pixel's top left corner: multiples of 2⁻²⁴ in [0,1), the
+// centre where spp is 1 [Burley20] [Vegdahl21]. Depends on spp in nothing else.
 dvec2 pixel_position(uint pixel, uint sample, int spp, uint seed);
 
 // The ray of one sample of pixel (x, y), y = 0 at the top, through its point beside the camera's `axis`.

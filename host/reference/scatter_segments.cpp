@@ -16,8 +16,8 @@ namespace {
 // Mean of exp(-t) over [0, x], also for x < 0.
 double mean_exp(double x) { return x == 0 ? 1 : -std::expm1(-x) / x; }
 
-// ∫ρT over a segment by the rule of the frame: `integral` is ∫ρ over it, `before` the optical depth up to it and `depth` that
-// over it.
+// ∫ρT over a segment by the rule of the frame: `integral` is ∫ρ over it, `before` the optical depth up to it and
+// `depth` that over it.
 double gain_of(int rule, double integral, double before, double depth) {
   if (rule == IN_SCATTERING_RECTANGLE) return std::exp(-(before + depth)) * integral;
   return std::exp(-before) * mean_exp(depth) * integral;
@@ -58,7 +58,8 @@ dvec3 light_transmittance(const Context& context, const Segment& at, std::size_t
     return light_depth(context, at.medium, light, ray.at(t), at.random.child(stream + n), lookups);
   };
   if (!at.dense) return transmittance_of(depth(at.t, STREAM_LIGHT));
-  // from inside both ends, of which one may lie on a face of a medium along which light travels, and on in a straight line
+  // from inside both ends, of which one may lie on a face of a medium along which light travels, and on in a straight
+  // line
   const double inset = 1.0 / 16384, length = at.end - at.begin;
   const dvec3 near = depth(at.begin + inset * length, STREAM_LIGHT),
               far = depth(at.end - inset * length, STREAM_LIGHT_END), slope = (far - near) / (1 - 2 * inset);
@@ -232,18 +233,18 @@ void medium_segments(const Context& context, int index, const RayD& ray, double 
                      Scattered& result) {
   const Medium& medium = context.media[static_cast<std::size_t>(index)];
   SegmentWalk scattering{context,
-                        medium,
-                        index,
-                        context.method(medium),
-                        context.scene.frame.in_scattering,
-                        ray,
-                        random.child(static_cast<uint>(index)),
-                        context.scene.frame.takes_ends != 0,
-                        sigma_t_of(medium),
-                        dvec3(0),
-                        {context, index, ray},
-                        {},
-                        result};
+                         medium,
+                         index,
+                         context.method(medium),
+                         context.scene.frame.in_scattering,
+                         ray,
+                         random.child(static_cast<uint>(index)),
+                         context.scene.frame.takes_ends != 0,
+                         sigma_t_of(medium),
+                         dvec3(0),
+                         {context, index, ray},
+                         {},
+                         result};
   for (int other = 0; scattering.takes_ends && other < static_cast<int>(context.media.size()); ++other)
     if (other != index)
       scattering.depths.emplace_back(context, other, ray, t_max, random.child(static_cast<uint>(other)),

@@ -1,4 +1,5 @@
-// See tracking.hpp. T is carried here, not τ: products of a few factors in double do not underflow before they are black.
+// See tracking.hpp. T is carried here, not τ: products of a few factors in double do not underflow before they are
+// black.
 #include "reference/tracking.hpp"
 
 #include <algorithm>

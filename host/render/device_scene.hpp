@@ -1,5 +1,5 @@
-// A FlatScene on the device, uploaded once, and one plan of it there: together the leading arguments of every kernel that takes
-// SCENE_ARGS (kernels/lib/scene.cl).
+// A FlatScene on the device, uploaded once, and one plan of it there: together the leading arguments of every kernel
+// that takes SCENE_ARGS (kernels/lib/scene.cl).
 #pragma once
 #include <array>
 #include <map>
@@ -27,8 +27,8 @@ class DeviceScene {
 
   const FlatScene& flat() const { return flat_; }
   double upload_seconds() const { return upload_seconds_; }
-  // The buffers of a plan, those of the plan's own left empty. Voxels, and ranges where they are read, are uploaded when a storage is
-  // first asked for.
+  // The buffers of a plan, those of the plan's own left empty. Voxels, and ranges where they are read, are uploaded
+  // when a storage is first asked for.
   SceneBuffers buffers(const RenderPlan& plan);
 
  private:

@@ -1,4 +1,5 @@
-// How much work to hand a device at once: little at first, then what takes PACE_S, so that Ctrl-C is answered between two pieces.
+// How much work to hand a device at once: little at first, then what takes PACE_S, so that Ctrl-C is answered between
+// two pieces.
 #pragma once
 #include <algorithm>
 #include <cstddef>

@@ -89,8 +89,8 @@ void Passes::create_buffers(std::size_t batch_rays) {
   pixels_ = context_.buffer("pixels", batch_rays * sizeof(FilmPixel));
 }
 
-// One program for all passes: the front end reads the shared text once. PoCL compiles a kernel at its first launch: an empty one
-// moves that out of the render time.
+// One program for all passes: the front end reads the shared text once. PoCL compiles a kernel at its first launch: an
+// empty one moves that out of the render time.
 void Passes::create_kernels(const std::string& options) {
   std::string text;
   for (int id = 0; id < PASS_COUNT; ++id)

@@ -16,7 +16,8 @@ namespace brume {
 
 namespace {
 
-// Rays in flight at most: on a CPU no more than its caches hold, on a GPU enough to fill it. The first batch shows how long they take.
+// Rays in flight at most: on a CPU no more than its caches hold, on a GPU enough to fill it. The first batch shows how
+// long they take.
 constexpr int BATCH_CPU = 1 << 14, BATCH_GPU = 1 << 19, FIRST_CPU = 1 << 8, FIRST_GPU = 1 << 15;
 
 // What a batch added to a pixel.

@@ -42,7 +42,8 @@ struct RenderStats : RenderCounts {
   std::size_t device_bytes = 0, voxel_bytes = 0, bvh_bytes = 0;
 };
 
-// Share of the work done, in [0,1], told at least every fifth of a second or so. Returning false stops the render after the current batch.
+// Share of the work done, in [0,1], told at least every fifth of a second or so. Returning false stops the render after
+// the current batch.
 using Progress = std::function<bool(double)>;
 
 class Renderer {

@@ -74,7 +74,8 @@ struct Translate {
 };
 using TransformDesc = std::vector<std::variant<Scale, Rotate, Translate>>;
 
-// `material` is an index into SceneDesc::materials, or -1 where the scene names none (a mesh then takes those of its MTL).
+// `material` is an index into SceneDesc::materials, or -1 where the scene names none (a mesh then takes those of its
+// MTL).
 struct SphereDesc {
   dvec3 center{0};
   double radius = 1;
@@ -155,9 +156,9 @@ struct RenderDesc {
   int in_scattering = IN_SCATTERING_SEGMENT;
   int shadow = SHADOW_AUTO;
   int storage = STORAGE_F32;
-  int light_grid = 64;  // shadow grid: cells of the light grid along the medium's longest side
+  int light_grid = 64;                     // shadow grid: cells of the light grid along the medium's longest side
   int light_samples = LIGHT_SAMPLES_AUTO;  // how many lights a point asks; 0: all
-  double roulette = 0;  // transmittance below which view rays end at random; 0: never
+  double roulette = 0;                     // transmittance below which view rays end at random; 0: never
   int max_depth = 5;
   int seed = 0;
 };

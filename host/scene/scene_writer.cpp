@@ -148,14 +148,14 @@ Json method_json(int method) { return method == METHOD_AUTO ? "auto" : family_na
 
 Json render_json(const RenderDesc& r) {
   Json json{{"method", method_json(r.method)},
-          {"step", number(r.step)},
-          {"in_scattering", family_name(in_scattering_family(), r.in_scattering)},
-          {"shadow", r.shadow == SHADOW_AUTO ? "auto" : family_name(shadow_family(), r.shadow)},
-          {"light_grid", r.light_grid},
-          {"storage", family_name(storage_family(), r.storage)},
-          {"roulette", r.roulette},
-          {"max_depth", r.max_depth},
-          {"seed", r.seed}};
+            {"step", number(r.step)},
+            {"in_scattering", family_name(in_scattering_family(), r.in_scattering)},
+            {"shadow", r.shadow == SHADOW_AUTO ? "auto" : family_name(shadow_family(), r.shadow)},
+            {"light_grid", r.light_grid},
+            {"storage", family_name(storage_family(), r.storage)},
+            {"roulette", r.roulette},
+            {"max_depth", r.max_depth},
+            {"seed", r.seed}};
   if (r.light_samples != LIGHT_SAMPLES_AUTO) json["light_samples"] = r.light_samples;
   return json;
 }

@@ -1,6 +1,6 @@
-// Two-level DDA [Amanatides87]: bricks, then cells. An iterator that knows geometry only. Crossings are computed afresh as
-// (plane - origin) / dir, never accumulated: a thousand float additions drift by a hundred ulp. Stepping has no branch on the
-// axis: which one comes next is a coin toss that a processor loses at 15 cycles each.
+// Two-level DDA [Amanatides87]: bricks, then cells. An iterator that knows geometry only. Crossings are computed afresh
+// as (plane - origin) / dir, never accumulated: a thousand float additions drift by a hundred ulp. Stepping has no
+// branch on the axis: which one comes next is a coin toss that a processor loses at 15 cycles each.
 #ifndef BRUME_DENSITY_DDA_CL
 #define BRUME_DENSITY_DDA_CL
 #include "density/bricks.cl"

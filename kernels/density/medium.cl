@@ -52,8 +52,8 @@ static inline MediumRay medium_ray(const Medium* medium, float3 origin, float3 d
   return r;
 }
 
-// Up to W stretches of a ray, each inside one stored brick (or, for a constant medium, anywhere). (x, y, z) is the cell of
-// the stretch, or the first cell of its brick: the walk that fills them knows which, and says so as `within` below.
+// Up to W stretches of a ray, each inside one stored brick (or, for a constant medium, anywhere). (x, y, z) is the cell
+// of the stretch, or the first cell of its brick: the walk that fills them knows which, and says so as `within` below.
 typedef struct {
   int count;  // how many have a length; those without lie last, but for the marchers' in empty bricks; 0 at the end
   float begin[W];  // s at which the segment begins
@@ -101,8 +101,8 @@ static inline void segments_pad(Segments* out) {
   }
 }
 
-// A lookup of every lane: where its eight samples begin, and how far the point is from the first of them. The cell is clamped:
-// a position that rounding put just outside stays with its cell, and the interpolation goes on smoothly there.
+// A lookup of every lane: where its eight samples begin, and how far the point is from the first of them. The cell is
+// clamped: a position that rounding put just outside stays with its cell, and the interpolation goes on smoothly there.
 typedef struct {
   intW sample;
   floatW fx, fy, fz;

@@ -70,8 +70,8 @@
 #define BRUME_LIGHTS_CHOSEN 1
 #endif
 
-// Before a large function. PoCL compiles the body of a kernel three times over and what is inlined into it as often, and a cold
-// build is most of what a small picture takes on a CPU; on a GPU a call costs more than that.
+// Before a large function. PoCL compiles the body of a kernel three times over and what is inlined into it as often,
+// and a cold build is most of what a small picture takes on a CPU; on a GPU a call costs more than that.
 #if BRUME_OUTLINE
 #define OUTLINED __attribute__((noinline)) static
 #else

@@ -38,8 +38,8 @@ static inline int light_at_share(const Scene* scene, float x) {
 }
 #endif
 
-// Number n of frame->light_picks. All lights in their order; of too many, picks at even distances along the sum of their powers,
-// moved by one random number xi for all of a point.
+// Number n of frame->light_picks. All lights in their order; of too many, picks at even distances along the sum of
+// their powers, moved by one random number xi for all of a point.
 static inline LightPick light_choose(const Scene* scene, int n, float xi) {
   LightPick pick;
   pick.light = n;

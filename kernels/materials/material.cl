@@ -8,7 +8,8 @@ static inline float3 texel_load(const Scene* scene, const Texture* t, int x, int
   return (float3)(p[0], p[1], p[2]);
 }
 
-// Index of the texel left of x and its right neighbour, repeated, or with x in [0, 1] clamped; returns the weight of the neighbour.
+// Index of the texel left of x and its right neighbour, repeated, or with x in [0, 1] clamped; returns the weight of
+// the neighbour.
 static inline float texel_pair(float x, int n, int clamped, int* i0, int* i1) {
   const float wrapped = (clamped ? x : x - floor(x)) * (float)n - 0.5f;
   const float low = floor(wrapped);
@@ -32,7 +33,8 @@ static inline float3 texture_image(const Scene* scene, const Texture* t, float2 
   return fmax(t->base + t->gain * (low + fy * (high - low)), 0.0f);
 }
 
-// Color of the texture; *second is set where the hit lies in the second color of a checker or beside an image shown once.
+// Color of the texture; *second is set where the hit lies in the second color of a checker or beside an image shown
+// once.
 static inline float3 texture_lookup(const Scene* scene, int index, float2 uv, uint* second) {
   const Texture t = scene->textures[index];
   if (t.type == TEXTURE_IMAGE) return texture_image(scene, &t, uv, second);
@@ -59,7 +61,8 @@ static inline float3 material_emission(const Scene* scene, const Material* m, fl
   return emission;
 }
 
-// Radiance towards the viewer per irradiance E, for light that arrives along -to_light (N·L > 0 is the caller's to check).
+// Radiance towards the viewer per irradiance E, for light that arrives along -to_light (N·L > 0 is the caller's to
+// check).
 static inline float3 material_reflect(const Material* m, float3 diffuse, float3 n, float3 to_light, float3 to_viewer) {
   const float n_dot_l = dot(n, to_light);
   float3 out = diffuse * (n_dot_l * INV_PI_F);

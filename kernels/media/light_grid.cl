@@ -3,7 +3,8 @@
 #define BRUME_MEDIA_LIGHT_GRID_CL
 #include "media/tau.cl"
 
-// Where the lanes stand in one plane of a grid: the first of the four points about each and the weights of the next ones.
+// Where the lanes stand in one plane of a grid: the first of the four points about each and the weights of the next
+// ones.
 typedef struct {
   intW point;
   floatW fu, fv;

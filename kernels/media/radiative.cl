@@ -101,8 +101,8 @@ static inline Stretch stretch_of(const Medium* medium, const MediumRay* ray, flo
   return s;
 }
 
-// Medium m along a view ray up to t_max: adds what it scatters and emits towards the origin to *radiance and returns its
-// optical depth. Each turn takes W segments of the walk, or W parts of those that are dense.
+// Medium m along a view ray up to t_max: adds what it scatters and emits towards the origin to *radiance and returns
+// its optical depth. Each turn takes W segments of the walk, or W parts of those that are dense.
 static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float3 dir, float t_max, Random random,
                                  float3* radiance, MediumResult* result) {
   const Medium medium = medium_load(scene, m);
@@ -157,8 +157,8 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
   return tau;
 }
 
-// A medium that only weakens what is behind it needs no places for light, and nobody asks what the others do along it. Random walks go
-// the same way as ever.
+// A medium that only weakens what is behind it needs no places for light, and nobody asks what the others do along it.
+// Random walks go the same way as ever.
 static inline int medium_only_absorbs(const Medium* medium) {
   return !BRUME_ROULETTE && !PLACEMENT_IS(medium, COLLISIONS) &&
          !(vec_max(vec_unpack(medium->sigma_s)) > 0.0f || vec_max(vec_unpack(medium->emission)) > 0.0f);

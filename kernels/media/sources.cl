@@ -12,8 +12,9 @@ typedef struct {
   floatW x, y, z;
 } Colors;
 
-// Mean of the light's transmittance over a segment whose own depth is `depth`, weighted as the view sees it. Both depths grow
-// evenly, that to the light from `begin` to `end`: ∫ exp(-t) over the sum of both, by ∫ exp(-t) over the own (ARCHITECTURE, Media).
+// Mean of the light's transmittance over a segment whose own depth is `depth`, weighted as the view sees it. Both
+// depths grow evenly, that to the light from `begin` to `end`: ∫ exp(-t) over the sum of both, by ∫ exp(-t) over the
+// own (ARCHITECTURE, Media).
 static inline floatW lanes_light_mean(floatW begin, floatW end, floatW depth) {
   const floatW last = fmin(depth + end, (floatW)(TAU_FINITE)), first = fmin(begin, (floatW)(TAU_FINITE));
   const floatW nearer = fmin(first, last), span = fabs(last - first);
@@ -109,13 +110,17 @@ static inline Tau light_depth(const Scene* scene, const Stretch* s, int l, float
   return media_tau(scene, -1, point, -light.travel, light.distance, random, lookups);
 }
 
-// T of segment i to the light of shadow ray n. A dense segment asks at both ends, from END_INSET inside of them, and goes on from
-// there in a straight line. One begins where the one before ended: with one light the depth there is known.
+// T of segment i to the light of shadow ray n. A dense segment asks at both ends, from END_INSET inside of them, and
+// goes on from there in a straight line. One begins where the one before ended: with one light the depth there is
+// known.
 static inline float3 transmittance_traced(const Scene* scene, Stretch* s, int l, int n, int i, int dense,
                                           const float* depth, MediumResult* result) {
   const float size = s->at->size[i], begins = stretch_begin(s, i);
-  const int known =
-      dense && !BRUME_RANDOM && scene->frame->light_count == 1 && fabs(begins - s->light_t) <= 0x1p-10f * size;
+#if BRUME_RANDOM
+  const int known = 0;
+#else
+  const int known = dense && scene->frame->light_count == 1 && fabs(begins - s->light_t) <= 0x1p-10f * size;
+#endif
   const float share[2] = {known ? 0.0f : END_INSET, 1.0f - END_INSET};
   Tau tau[2] = {s->light_tau, s->light_tau};
   for (int e = known; e < 1 + dense; ++e) {

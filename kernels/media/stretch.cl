@@ -1,19 +1,22 @@
-// A batch of segments along a view ray through one medium, what the other media do along them, and how dense ones are cut.
+// A batch of segments along a view ray through one medium, what the other media do along them, and how dense ones are
+// cut.
 #ifndef BRUME_MEDIA_STRETCH_CL
 #define BRUME_MEDIA_STRETCH_CL
 #include "media/others.cl"
 
-// Collisions estimate exp(-τ) without bias, but nothing else of τ: scenes with trackers take light and the other media at the
-// place of each segment.
+// Collisions estimate exp(-τ) without bias, but nothing else of τ: scenes with trackers take light and the other media
+// at the place of each segment.
 #define TAKES_ENDS(scene) (!BRUME_TRACKING || (scene)->frame->takes_ends)
 
-// A segment of more than TAU_THIN takes the light from both its ends; one of more than TAU_PART is cut into equal parts.
-// The slack keeps depths that are a whole number of parts by construction from falling to either side by rounding.
+// A segment of more than TAU_THIN takes the light from both its ends; one of more than TAU_PART is cut into equal
+// parts. The slack keeps depths that are a whole number of parts by construction from falling to either side by
+// rounding.
 #define TAU_THIN (1.0f / 16.0f)
 #define TAU_THIN_CONSTANT (1.0f / 512.0f)  // of a constant medium, through which a depth is one product
 #define TAU_PART (1.0f / 8.0f)
 #define PARTS_SLACK 0x1p-10f
-// Ends are taken this share of the segment further in: on a face of a medium, light along that face would be in or out by rounding.
+// Ends are taken this share of the segment further in: on a face of a medium, light along that face would be in or out
+// by rounding.
 #define END_INSET 0x1p-14f
 #define PARTS_MAX 256.0f
 

@@ -27,8 +27,8 @@ static inline Tau medium_sigma_t(const Medium* m) { return m->sigma_a.x + m->sig
 #endif
 
 #if BRUME_ROULETTE
-// Once the transmittance is below the frame's threshold, a walk goes on with probability T / threshold and then counts for
-// all those that were ended: T becomes the threshold. 0: the walk ends, *tau is black.
+// Once the transmittance is below the frame's threshold, a walk goes on with probability T / threshold and then counts
+// for all those that were ended: T becomes the threshold. 0: the walk ends, *tau is black.
 static inline int roulette_survives(const Scene* scene, const Random* walk, uint id, Tau* tau) {
   const float threshold = scene->frame->roulette;
   const float transmittance = exp(-tau_min(*tau));

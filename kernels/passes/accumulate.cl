@@ -12,8 +12,8 @@ static inline void packed_add(Packed3* sum, Packed3 v) {
   sum->z += v.z;
 }
 
-// Squared deviations with one sample x more. With the mean m of the n before, the new mean is m + d / (n + 1), d = x - m:
-// their squares grow by n (d / (n + 1))², the sample's own is (n d / (n + 1))², together d² n / (n + 1) [Welford62].
+// Squared deviations with one sample x more. With the mean m of the n before, the new mean is m + d / (n + 1), d = x -
+// m: their squares grow by n (d / (n + 1))², the sample's own is (n d / (n + 1))², together d² n / (n + 1) [Welford62].
 // Σx² - n m² would lose a small variance of a bright pixel to rounding.
 static inline Packed3 squares_add(const FilmPixel* before, Packed3 radiance) {
   const float n = before->samples;

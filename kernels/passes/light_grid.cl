@@ -1,7 +1,9 @@
-// Fills the light grid of one medium: the optical depth from each point to each light. Runs once, before the first batch.
+// Fills the light grid of one medium: the optical depth from each point to each light. Runs once, before the first
+// batch.
 #include "media/radiative.cl"
 
-// True when a stored brick reaches into the box p ± half_size (cell space): only then is the point ever looked up with a density.
+// True when a stored brick reaches into the box p ± half_size (cell space): only then is the point ever looked up with
+// a density.
 static inline int bricks_near(const Scene* scene, const Medium* m, float3 p, float3 half_size) {
   const float3 last = (float3)((float)(m->brick_nx - 1), (float)(m->brick_ny - 1), (float)(m->brick_nz - 1));
   const float3 lo = fmin(fmax(floor((p - half_size) / BRICK_CELLS), (float3)(0.0f)), last);
@@ -28,8 +30,8 @@ static inline float3 light_grid_cell_size(const LightGrid* grid) {
                   fabs(m[8]) + fabs(m[9]) + fabs(m[10]));
 }
 
-// Item = column, of a light without columns = point. Of a column the first point in the box is traced to the light, each other one to
-// the point before. Items [first, count) are those of this launch.
+// Item = column, of a light without columns = point. Of a column the first point in the box is traced to the light,
+// each other one to the point before. Items [first, count) are those of this launch.
 __kernel void light_grid(SCENE_ARGS, int medium, int light_index, uint first, uint count, __global float* out) {
   const uint item = first + (uint)get_global_id(0);
   if (item >= count) return;

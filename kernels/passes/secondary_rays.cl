@@ -1,4 +1,5 @@
-// The rays that the hits of a wave sent on become the next wave, side by side in the order of their samples. Item = sample.
+// The rays that the hits of a wave sent on become the next wave, side by side in the order of their samples. Item =
+// sample.
 #include "lib/vec.cl"
 #include "shared/ray.h"
 #include "shared/shape.h"

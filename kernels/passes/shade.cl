@@ -1,5 +1,5 @@
-// Adds what the rays of a wave bring to their samples: surface or background seen through the media. Item = sample; of a sample always in
-// the same order, whatever else the wave holds.
+// Adds what the rays of a wave bring to their samples: surface or background seen through the media. Item = sample; of
+// a sample always in the same order, whatever else the wave holds.
 #include "lights/lights.cl"
 
 static inline uint ray_key(int primitive, uint lit, uint walked, uint second) {

@@ -1,5 +1,5 @@
-// Each hit under the lights: what is not blocked by surfaces and weakened by the media on the way, scattered towards the ray; and the
-// rays that the hit sends on.
+// Each hit under the lights: what is not blocked by surfaces and weakened by the media on the way, scattered towards
+// the ray; and the rays that the hit sends on.
 #include "path/send_on.cl"
 #include "path/surface_light.cl"
 

@@ -53,7 +53,8 @@ static inline Hit scene_hit(const Scene* scene, float3 origin, float3 dir, float
   return hit;
 }
 
-// A camera ray that starts at the scene's bounds may have passed a plane on its way there, which has no bounds: back to before it.
+// A camera ray that starts at the scene's bounds may have passed a plane on its way there, which has no bounds: back to
+// before it.
 static inline void ray_start_before_planes(const Scene* scene, Ray* ray) {
   if (!USES_SHAPE(PLANE)) return;
   const float3 origin = vec_unpack(ray->origin), dir = vec_unpack(ray->dir);

@@ -4,8 +4,8 @@
 #include "shapes/quadratic.cl"
 #include "shapes/shape.cl"
 
-// The discriminant comes from the distance of the centre to the ray, not from b² - ac: that difference loses everything for
-// a far, small sphere [Haines19].
+// The discriminant comes from the distance of the centre to the ray, not from b² - ac: that difference loses everything
+// for a far, small sphere [Haines19].
 static inline float sphere_hit(const Shape* shape, float3 origin, float3 dir) {
   const float radius = shape->data[3];
   const float3 f = origin - shape_vec(shape, 0);

@@ -21,11 +21,12 @@ enum Aov {
       AOV_COUNT
 };
 
-// Radiance beyond which a sample is left out: 2^20 samples of it, the most that a pixel can have, still make a finite sum.
+// Radiance beyond which a sample is left out: 2^20 samples of it, the most that a pixel can have, still make a finite
+// sum.
 #define SAMPLE_MAX 3e32f
 
-// Sums over a pixel's samples; the host divides by the counts. `key` sums a hash of what each sample hit and which lights
-// reached it (wrapping): equal keys mean that two renderers saw the same surfaces and shadows.
+// Sums over a pixel's samples; the host divides by the counts. `key` sums a hash of what each sample hit and which
+// lights reached it (wrapping): equal keys mean that two renderers saw the same surfaces and shadows.
 typedef struct {
   Packed3 radiance;
   float samples;    // in the sums

@@ -48,7 +48,8 @@ typedef struct {
 } PlacedGrid;
 BRUME_LAYOUT(PlacedGrid, 136);
 
-// What fills it. A glow with a density of its own is a medium of its own (density -1), so that it keeps its own exact walk.
+// What fills it. A glow with a density of its own is a medium of its own (density -1), so that it keeps its own exact
+// walk.
 typedef struct {
   Packed3 sigma_a;  // per world unit, times density
   int density;      // placed grid that absorbs and scatters, -1: none

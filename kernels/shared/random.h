@@ -1,4 +1,5 @@
-// Names of the random streams and of the numbers in them: what kernels and reference must agree on to see the same picture.
+// Names of the random streams and of the numbers in them: what kernels and reference must agree on to see the same
+// picture.
 #ifndef BRUME_SHARED_RANDOM_H
 #define BRUME_SHARED_RANDOM_H
 

@@ -3,7 +3,8 @@
 #define BRUME_SHARED_RAY_H
 #include "shared/platform.h"
 
-// Reflected and refracted rays that one sample may send on. Up to this depth all of them are no more; deeper ones share it out.
+// Reflected and refracted rays that one sample may send on. Up to this depth all of them are no more; deeper ones share
+// it out.
 #define SECONDARY_RAYS_MAX 4096
 #define SECONDARY_DEPTH_WHOLE 11
 

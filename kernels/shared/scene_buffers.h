@@ -1,10 +1,12 @@
-// The buffers of a scene, in the order in which kernels take them. This is the only list: kernels/lib/scene.cl makes of it the
-// struct `Scene`, its arguments and how they are packed, host/render/device_scene.cpp what fills them. A new buffer is a row.
+// The buffers of a scene, in the order in which kernels take them. This is the only list: kernels/lib/scene.cl makes of
+// it the struct `Scene`, its arguments and how they are packed, host/render/device_scene.cpp what fills them. A new
+// buffer is a row.
 #ifndef BRUME_SHARED_SCENE_BUFFERS_H
 #define BRUME_SHARED_SCENE_BUFFERS_H
 #include "shared/platform.h"
 
-// ROW(address space, type of an element, name in kernels, kind, where the host finds it, what messages call it), NEXT between them.
+// ROW(address space, type of an element, name in kernels, kind, where the host finds it, what messages call it), NEXT
+// between them.
 //   FLAT    the same for every picture of a scene: a member of FlatScene
 //   PLAN    of one picture: a member of RenderPlan
 //   STORED  depends on render.storage

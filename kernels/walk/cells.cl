@@ -11,8 +11,9 @@ static inline int cells_next_brick(const Scene* scene, const Medium* medium, con
   return 1;
 }
 
-// Every turn of the loop moves s or steps an axis. What has no length is overwritten by the next segment. The axes are copied:
-// behind a pointer the compiler must take the segments' stores for changes of them, and each step would wait for memory.
+// Every turn of the loop moves s or steps an axis. What has no length is overwritten by the next segment. The axes are
+// copied: behind a pointer the compiler must take the segments' stores for changes of them, and each step would wait
+// for memory.
 static inline void cells_fill(const Scene* scene, const Medium* medium, const MediumRay* ray, Dda* d, Segments* out) {
   int n = 0;
   while (n < W && (d->s < d->brick_end || cells_next_brick(scene, medium, ray, d))) {

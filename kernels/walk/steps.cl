@@ -1,5 +1,5 @@
-// Placement of the marchers: n equal steps over the whole stretch inside the medium, each sampled once, W side by side: which
-// brick a sample lies in follows from where it is, and only empty stretches are walked through.
+// Placement of the marchers: n equal steps over the whole stretch inside the medium, each sampled once, W side by side:
+// which brick a sample lies in follows from where it is, and only empty stretches are walked through.
 #ifndef BRUME_WALK_STEPS_CL
 #define BRUME_WALK_STEPS_CL
 #include "density/dda.cl"
@@ -47,8 +47,8 @@ static inline floatW steps_brick(floatW place, float origin, float dir, int bric
   return fmin(fmax(floor(p * (1.0f / BRICK_CELLS)), (floatW)(0.0f)), (floatW)((float)(bricks - 1)));
 }
 
-// The first step worth a look after W steps from `next` on were all in empty bricks: the one in which the next stored brick begins,
-// or the one before.
+// The first step worth a look after W steps from `next` on were all in empty bricks: the one in which the next stored
+// brick begins, or the one before.
 static inline int steps_skip(const Scene* scene, const Medium* medium, const MediumRay* ray, const Steps* s) {
   Dda d = dda_begin(medium, ray, (float)(s->next + W - 1) * s->size);
   if (!dda_next_brick(scene, medium, &d)) return s->count;

@@ -1,6 +1,6 @@
-// Placement of the trackers [Woodcock65] [Novak14]: tentative collisions at a rate that nowhere is below σt ρ, brick by brick from
-// each brick's own range of densities. A collision is a segment whose `size` is the mean distance between collisions there,
-// so that ρ · size is an estimate of ∫ρ without bias.
+// Placement of the trackers [Woodcock65] [Novak14]: tentative collisions at a rate that nowhere is below σt ρ, brick by
+// brick from each brick's own range of densities. A collision is a segment whose `size` is the mean distance between
+// collisions there, so that ρ · size is an estimate of ∫ρ without bias.
 #ifndef BRUME_WALK_TRACKING_CL
 #define BRUME_WALK_TRACKING_CL
 #include "density/dda.cl"

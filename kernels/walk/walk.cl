@@ -8,8 +8,8 @@
 #include "walk/march.cl"
 #include "walk/tracking.cl"
 
-// True for the method, placement or rule of this medium; folds to a constant when the scene uses one only, and code for those that it
-// does not use falls away.
+// True for the method, placement or rule of this medium; folds to a constant when the scene uses one only, and code for
+// those that it does not use falls away.
 #define METHOD_IS(medium, id) \
   (USES_METHOD(id) && ((BRUME_METHODS_USED) == (1 << METHOD_##id) || (medium)->method == METHOD_##id))
 #define PLACEMENT_IS(medium, id)                \

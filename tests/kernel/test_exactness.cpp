@@ -14,13 +14,15 @@ namespace {
 
 constexpr int RAYS = 100000;
 
-// Relative to the optical depth of each ray. Seven roundings of 2^-24 make 4.2e-7: the quotient and product of a crossing (3),
-// the interpolation (2), the product with the length and the sum (2). A walk of n cells adds n terms; with lanes and batches the sum is
-// a tree over which roundings grow slower than n: one more such constant per 64 cells holds with room.
+// Relative to the optical depth of each ray. Seven roundings of 2^-24 make 4.2e-7: the quotient and product of a
+// crossing (3), the interpolation (2), the product with the length and the sum (2). A walk of n cells adds n terms;
+// with lanes and batches the sum is a tree over which roundings grow slower than n: one more such constant per 64 cells
+// holds with room.
 //
-// The rays begin inside, at multiples of 2^-10 of a cell, and voxels have sides of powers of two: origin and direction in cell space are
-// exact then, and what is measured is the method. In general the origin carries half a digit, which a ray that leaves almost along a face
-// magnifies by 1/|d|: that is how well the question is posed, and no method can be better (`integral` and `grazing` of brume check).
+// The rays begin inside, at multiples of 2^-10 of a cell, and voxels have sides of powers of two: origin and direction
+// in cell space are exact then, and what is measured is the method. In general the origin carries half a digit, which a
+// ray that leaves almost along a face magnifies by 1/|d|: that is how well the question is posed, and no method can be
+// better (`integral` and `grazing` of brume check).
 constexpr double allowed(double cells) { return 4e-7 * (1 + cells / 64); }
 
 struct Lattice {

@@ -1,4 +1,5 @@
-// One closed form: a scene of scenes/tests and the radiance that its derivation gives, held against kernels and reference.
+// One closed form: a scene of scenes/tests and the radiance that its derivation gives, held against kernels and
+// reference.
 #pragma once
 #include <gtest/gtest.h>
 

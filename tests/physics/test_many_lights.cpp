@@ -1,4 +1,5 @@
-// Lights that are chosen: right in the mean, as the reference chooses, and without a number per light and ray in memory.
+// Lights that are chosen: right in the mean, as the reference chooses, and without a number per light and ray in
+// memory.
 #include <cmath>
 #include <random>
 

@@ -11,11 +11,10 @@ namespace {
 std::string boxes_scene(int count, const std::string& medium, const std::string& render, const std::string& more = "") {
   std::string media;
   for (int i = 0; i < count; ++i)
-    media +=
-        std::string(i ? "," : "") +
-        R"({"density": {"type": "perlin", "resolution": [16, 16, 16], "scale": 4, "seed": 2},
+    media += std::string(i ? "," : "") +
+             R"({"density": {"type": "perlin", "resolution": [16, 16, 16], "scale": 4, "seed": 2},
                  "transform": [{"rotate": [0, 1, 0, )" +
-        std::to_string(20 * i) + R"(]}], )" + medium + "}";
+             std::to_string(20 * i) + R"(]}], )" + medium + "}";
   return R"({"camera": {"eye": [1.7, 1.25, 3.9], "target": [0, 0, 0], "vfov": 40}, "film": {"size": [12, 12]},
     "lights": [{"type": "directional", "direction": [-0.5, -1, -0.3], "irradiance": 3}],
     "media": [)" +
@@ -65,8 +64,8 @@ double lookups_of(const PlannedScene& scene) {
   return lookups;
 }
 
-// A segment costs two lookups for its own medium's light and, beside each of the other three, one; the rest is for cells
-// that two batches share. Asking at both ends of every segment took 24 times the lookups of one medium.
+// A segment costs two lookups for its own medium's light and, beside each of the other three, one; the rest is for
+// cells that two batches share. Asking at both ends of every segment took 24 times the lookups of one medium.
 TEST(Overlap, LookupsOfFourMediaAreBounded) {
   const std::string glow = R"("sigma_a": 0.2, "sigma_s": 0, "emission": 1)";
   const double one = lookups_of(flat_of(boxes_scene(1, glow, "{}"))),

@@ -1,4 +1,5 @@
-// Rays that surfaces send on: what is followed, what is left out, and that both are counted alike by kernels and reference.
+// Rays that surfaces send on: what is followed, what is left out, and that both are counted alike by kernels and
+// reference.
 #include <cmath>
 #include <string>
 
@@ -8,7 +9,8 @@
 namespace brume::test {
 namespace {
 
-// Quads of one material, `pairs` of them before and behind the camera, seen along their normal; the glow is what each hit adds.
+// Quads of one material, `pairs` of them before and behind the camera, seen along their normal; the glow is what each
+// hit adds.
 std::string facing_mirrors(const std::string& material, int depth, int pairs = 1) {
   std::string shapes;
   for (int i = 1; i <= pairs; ++i)

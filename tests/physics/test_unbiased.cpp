@@ -1,5 +1,5 @@
-// Trackers and roulette are right in the mean: a z-test against the exact picture. Many samples of one ray are the pixels of a film
-// whose camera is too narrow to tell them apart.
+// Trackers and roulette are right in the mean: a z-test against the exact picture. Many samples of one ray are the
+// pixels of a film whose camera is too narrow to tell them apart.
 #include <array>
 #include <cmath>
 

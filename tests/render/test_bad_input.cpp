@@ -112,7 +112,8 @@ TEST_F(BadInput, DevicesAndFolders) {
   expect_refused("render a.json -o a.png --device gpu-of-tomorrow", 2, "gpu-of-tomorrow");
   expect_refused("render a.json -o a.png", 1, "OpenCL", "OCL_ICD_VENDORS=/nonexistent");
   expect_refused("render a.json -o none/a.png", 1, "none");
-  expect_refused("render a.json -o a.exr --size 65536x65536", 1, "a film of 65536 x 65536 pixels: needs more memory than there is");
+  expect_refused("render a.json -o a.exr --size 65536x65536", 1,
+                 "a film of 65536 x 65536 pixels: needs more memory than there is");
 }
 
 TEST_F(BadInput, FolderWithoutPermission) {

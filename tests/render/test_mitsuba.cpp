@@ -1,5 +1,5 @@
-// A third voice beside kernels and reference: pictures of the same scenes by Mitsuba 3. Its pixels carry noise, means over
-// blocks an eighth of it.
+// A third voice beside kernels and reference: pictures of the same scenes by Mitsuba 3. Its pixels carry noise, means
+// over blocks an eighth of it.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,6 @@
 // What a picture must not depend on: the run, the batch, the lanes, the threads, the work list that it is made by.
-// Units, shifts and voxel sizes are cases of `brume check --stability`, other devices are held against the reference in tests/kernel.
+// Units, shifts and voxel sizes are cases of `brume check --stability`, other devices are held against the reference in
+// tests/kernel.
 #include <algorithm>
 #include <cmath>
 #include <cstring>

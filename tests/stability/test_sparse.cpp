@@ -1,5 +1,5 @@
-// What volumes and lights cost: what is stored in them and not the box around it, and no more than a dense one needs while it
-// loads.
+// What volumes and lights cost: what is stored in them and not the box around it, and no more than a dense one needs
+// while it loads.
 #include <openvdb/openvdb.h>
 #include <sys/wait.h>
 

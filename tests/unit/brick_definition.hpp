@@ -10,6 +10,7 @@
 #include "flat/bricks.hpp"
 #include "flat/flatten.hpp"
 #include "flat/flatten_parts.hpp"
+#include "volume/density_source.hpp"
 #include "volume/grid.hpp"
 
 namespace brume::test {
@@ -26,8 +27,8 @@ inline SceneDesc scene_with(const DensityDesc& density, int interpolation) {
   return scene;
 }
 
-// What a lookup of cell-space sample s must give, from the definition: nearest: voxel s; trilinear: sample s - 1 of the grid, its
-// border repeated (CLAMP) or 0 around it (ZERO).
+// What a lookup of cell-space sample s must give, from the definition: nearest: voxel s; trilinear: sample s - 1 of the
+// grid, its border repeated (CLAMP) or 0 around it (ZERO).
 inline double sample_of(const Grid& grid, ivec3 s, bool trilinear) {
   if (trilinear) s -= 1;
   const bool outside = s != glm::clamp(s, ivec3(0), grid.size() - 1);
@@ -91,7 +92,8 @@ inline void expect_bricks_of(const Grid& grid, const PlannedScene& scene, const 
     EXPECT_EQ(scene.brick_ranges.at(2 * static_cast<std::size_t>(number) + 1), max) << b.x << " " << b.y << " " << b.z;
   });
   if (hi.x < 0) return;
-  // The region: the cells that are not 0, within the grid's own bounds. A CLAMP grid ends half a cell inside its outermost cells.
+  // The region: the cells that are not 0, within the grid's own bounds. A CLAMP grid ends half a cell inside its
+  // outermost cells.
   const double margin = trilinear && grid.border == Border::CLAMP ? 0.5 : 0;
   lo = glm::max(lo, dvec3(margin));
   hi = glm::min(hi, dvec3(cells) - margin);
@@ -99,7 +101,8 @@ inline void expect_bricks_of(const Grid& grid, const PlannedScene& scene, const 
   EXPECT_EQ(dvec3(m.hi.x, m.hi.y, m.hi.z), hi);
 }
 
-// Where cell-space position s is in the world: sample s of the padded lattice sits where the grid says that sample s - 1 sits.
+// Where cell-space position s is in the world: sample s of the padded lattice sits where the grid says that sample s -
+// 1 sits.
 inline dvec3 world_of(const PlannedScene& scene, const Medium& m, const dvec3& p) {
   dvec3 w(0);
   for (int row = 0; row < 3; ++row)
@@ -107,5 +110,23 @@ inline dvec3 world_of(const PlannedScene& scene, const Medium& m, const dvec3& p
              m.world_from_cell.m[4 * row + 2] * p.z + m.world_from_cell.m[4 * row + 3];
   return scene.world(w);
 }
+
+inline DensityDesc generator(const std::string& type, ivec3 resolution) {
+  DensityDesc d;
+  d.type = type;
+  d.resolution = resolution;
+  d.scale = 3;
+  return d;
+}
+
+inline DensitySpec spec_of(const DensityDesc& d) {
+  DensitySpec spec;
+  spec.type = d.type;
+  spec.resolution = d.resolution;
+  spec.scale = d.scale;
+  if (d.of) spec.of = std::make_shared<DensitySpec>(spec_of(*d.of));
+  return spec;
+}
+inline Grid grid_of(const DensityDesc& d) { return density_make(spec_of(d)); }
 
 }  // namespace brume::test

@@ -22,8 +22,8 @@ double along(const Grid& grid, const dvec3& from, const dvec3& to) {
   return grid_line_integral(grid, grid_blocks(grid), from, glm::normalize(to - from));
 }
 
-// One voxel of density 1 is a tent: 1 voxel along an axis through its middle; along the diagonal 2 sqrt(3) times the integral of
-// (1 - t)^3 over [0, 1], sqrt(3)/2.
+// One voxel of density 1 is a tent: 1 voxel along an axis through its middle; along the diagonal 2 sqrt(3) times the
+// integral of (1 - t)^3 over [0, 1], sqrt(3)/2.
 TEST(DensestView, LineIntegralsAreExact) {
   Grid grid(ivec3(20));
   grid.border = Border::ZERO;

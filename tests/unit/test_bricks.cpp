@@ -1,5 +1,5 @@
-// Grids as bricks (layout: shared/medium.h), through flatten() and so with generators and OpenVDB files as they come: every
-// sample, entry and range against the grid itself.
+// Grids as bricks (layout: shared/medium.h), through flatten() and so with generators and OpenVDB files as they come:
+// every sample, entry and range against the grid itself.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -18,24 +18,6 @@ namespace brume {
 namespace {
 
 using namespace test;
-
-DensityDesc generator(const std::string& type, ivec3 resolution) {
-  DensityDesc d;
-  d.type = type;
-  d.resolution = resolution;
-  d.scale = 3;
-  return d;
-}
-
-DensitySpec spec_of(const DensityDesc& d) {
-  DensitySpec spec;
-  spec.type = d.type;
-  spec.resolution = d.resolution;
-  spec.scale = d.scale;
-  if (d.of) spec.of = std::make_shared<DensitySpec>(spec_of(*d.of));
-  return spec;
-}
-Grid grid_of(const DensityDesc& d) { return density_make(spec_of(d)); }
 
 // How often each entry occurs among the bricks of a grid.
 std::map<int, int> entries_of(const FlatScene& scene, const Medium& m) {
@@ -249,43 +231,6 @@ TEST(Bricks, MediaFollowEachOther) {
   EXPECT_EQ(scene.grids[1].brick_offset, 1 + BRICK_BLOCK_ENTRIES);
   EXPECT_EQ(scene.bricks.size(), 2u * (1 + BRICK_BLOCK_ENTRIES));
   for (int i : {0, 1}) expect_bricks_of(grid_of(desc.media[i].density), scene, scene.medium(i));
-}
-
-// The same density is stored once, wherever media show it; another interpolation pads it in another way.
-TEST(Bricks, MediaOfOneDensityShareThem) {
-  SceneDesc desc = scene_with(generator("perlin", {9, 10, 11}), INTERPOLATION_TRILINEAR);
-  desc.media.push_back(desc.media[0]);
-  desc.media[1].transform = {Translate{dvec3(3, 0, 0)}};
-  desc.media[1].sigma_s = dvec3(2);
-  const PlannedScene one = flatten(scene_with(desc.media[0].density, INTERPOLATION_TRILINEAR), {});
-  const PlannedScene two = flatten(desc, {});
-  EXPECT_EQ(two.grids.size(), 1u);
-  EXPECT_EQ(two.placed.size(), 2u);
-  EXPECT_EQ(two.voxels, one.voxels);
-  EXPECT_EQ(two.bricks, one.bricks);
-  EXPECT_EQ(two.media[1].sigma_s.x, 2 * static_cast<float>(two.unit));
-  EXPECT_NE(two.medium(0).world_from_cell.m[3], two.medium(1).world_from_cell.m[3]);
-  desc.media[1].interpolation = INTERPOLATION_NEAREST;
-  const PlannedScene padded = flatten(desc, {});
-  EXPECT_EQ(padded.grids.size(), 2u);
-  for (int i : {0, 1}) expect_bricks_of(grid_of(desc.media[i].density), padded, padded.medium(i));
-}
-
-// A glow with a density of its own is a row that emits and nothing else.
-TEST(Bricks, AGlowOfItsOwnNamesItsGrid) {
-  SceneDesc desc = scene_with(generator("perlin", {9, 10, 11}), INTERPOLATION_TRILINEAR);
-  desc.media[0].emission = dvec3(1);
-  const PlannedScene own = flatten(desc, {});
-  ASSERT_EQ(own.media.size(), 1u);
-  EXPECT_EQ(own.media[0].density, 0);
-  EXPECT_EQ(own.media[0].glow, 0);
-  desc.media[0].emission_density = std::make_shared<DensityDesc>(generator("linear", {20, 5, 8}));
-  const PlannedScene two = flatten(desc, {});
-  ASSERT_EQ(two.media.size(), 2u);
-  EXPECT_EQ(two.media[0].density, -1);
-  EXPECT_EQ(two.media[0].glow, 0);
-  EXPECT_EQ(two.media[1].density, 1);
-  EXPECT_EQ(two.media[1].glow, -1);
 }
 
 TEST_F(Vdb, BricksFadeToZeroAroundTheFile) {

@@ -79,7 +79,8 @@ TEST(RenderPart, WorkIsWhatIsMissingAndTheCoverWhatWasDoneOfIt) {
 
 class FilmPartial : public ImageTest {
  protected:
-  // 3 x 2 pixels of 16 samples: the first one empty, the last one with a gap; every word of every other pixel of its own.
+  // 3 x 2 pixels of 16 samples: the first one empty, the last one with a gap; every word of every other pixel of its
+  // own.
   FilmPartial() {
     for (std::size_t i = 1; i < 6; ++i) {
       float words[sizeof(FilmPixel) / sizeof(float)];

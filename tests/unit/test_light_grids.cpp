@@ -108,8 +108,8 @@ TEST(LightGrids, ConvergeToTracedRays) {
   }
 }
 
-// The depths of a constant field grow linearly from the side that the light enters: along an axis no error is left, whatever the
-// grid and up to the sides, along which it runs.
+// The depths of a constant field grow linearly from the side that the light enters: along an axis no error is left,
+// whatever the grid and up to the sides, along which it runs.
 TEST(LightGrids, AreExactInAConstantFieldAlongAnAxis) {
   for (const char* direction : {"0, -1, 0", "1, 0, 0", "0, 0, 1", "0, 1e-7, -1"}) {
     const std::string text = R"({

@@ -61,7 +61,8 @@ TEST(ReferenceSlab, SingleScatteringLitFromTheFrontAndFromBehind) {
 }
 
 TEST(ReferenceSlab, SegmentRuleByHand) {
-  // one segment or two, cut into 16 parts: the depths to the eye and to the light grow evenly, so the sum is the integral
+  // one segment or two, cut into 16 parts: the depths to the eye and to the light grow evenly, so the sum is the
+  // integral
   PlannedScene scene = slab(0.25, 0.75);
   test::light_add_directional(scene, {0, 0, -1}, 5);
   const double expected = 0.75 * 5 / (4 * PI) * (1 - std::exp(-4)) / 2;
@@ -175,7 +176,8 @@ TEST(ReferenceKeys, PrimitiveLitLightsAndChecker) {
 }
 
 TEST(ReferenceKeys, BlockedLightsInSegmentsWithDensity) {
-  // 4 cells of depth 2 along the view, one of them empty, each cut into 16 parts; light 1 (of 0, 1) stands behind a quad
+  // 4 cells of depth 2 along the view, one of them empty, each cut into 16 parts; light 1 (of 0, 1) stands behind a
+  // quad
   PlannedScene scene = test::scene_empty();
   test::medium_add_grid(
       scene, {4, 4, 4}, INTERPOLATION_NEAREST, [](ivec3 s) { return s.z == 2 ? 0 : 1; }, 1, 1);

@@ -60,7 +60,8 @@ TEST(ReferenceSobol, FirstPointsByHand) {
     for (uint i = 0; i < 8; ++i) EXPECT_EQ(sobol(i, dimension) * 0x1p-32, expected[dimension][i]) << dimension << i;
 }
 
-// Points of `position` that share one of the 2^m rectangles of area 2^-m, over every shape of them; 0 for a (0,m,2)-net.
+// Points of `position` that share one of the 2^m rectangles of area 2^-m, over every shape of them; 0 for a
+// (0,m,2)-net.
 template <class Position>
 int net_misses(uint first, int m, const Position& position) {
   int misses = 0;
@@ -98,8 +99,8 @@ TEST(ReferencePixel, OneSampleIsTheCentreMoreDoNotDependOnTheirNumber) {
     EXPECT_EQ(pixel_position(7, sample, 4, 3), pixel_position(7, sample, 1000, 3)) << sample;
 }
 
-// The first digits of samples 0 and 1 are opposite, the second ones fall as two coins more: a scrambling with fewer random
-// bits than the tree has (a sum with the seed and nothing else) finds four of these eight.
+// The first digits of samples 0 and 1 are opposite, the second ones fall as two coins more: a scrambling with fewer
+// random bits than the tree has (a sum with the seed and nothing else) finds four of these eight.
 TEST(ReferencePixel, PixelsScrambleApart) {
   const int pixels = 8000;
   for (int axis = 0; axis < 2; ++axis)

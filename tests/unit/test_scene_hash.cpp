@@ -73,14 +73,10 @@ TEST(SceneHash, EveryPartOfAPictureCounts) {
 
 TEST(SceneHash, CropDeviceAndNamesDoNot) {
   const std::vector<Change> changes = {
-      [](PlannedScene& s) { s.frame.crop_x0 = 3; },
-      [](PlannedScene& s) { s.frame.crop_y1 = 3; },
-      [](PlannedScene& s) { s.frame.camera.spp = 9; },
-      [](PlannedScene& s) { s.frame.seed = 9; },
-      [](PlannedScene& s) { s.frame.camera.width = 9; },
-      [](PlannedScene& s) { s.bvh_width = 16; },
-      [](PlannedScene& s) { s.bvh_nodes.assign(64, 1.0f); },
-      [](PlannedScene& s) { s.name = "other"; },
+      [](PlannedScene& s) { s.frame.crop_x0 = 3; },          [](PlannedScene& s) { s.frame.crop_y1 = 3; },
+      [](PlannedScene& s) { s.frame.camera.spp = 9; },       [](PlannedScene& s) { s.frame.seed = 9; },
+      [](PlannedScene& s) { s.frame.camera.width = 9; },     [](PlannedScene& s) { s.bvh_width = 16; },
+      [](PlannedScene& s) { s.bvh_nodes.assign(64, 1.0f); }, [](PlannedScene& s) { s.name = "other"; },
       [](PlannedScene& s) { s.notes.push_back("note"); },
   };
   const std::uint64_t hash = scene_hash(scene_full());

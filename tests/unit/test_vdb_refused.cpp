@@ -43,7 +43,8 @@ TEST_F(VdbRefused, RefusesValuesThatAreNoDensity) {
               AllOf(HasSubstr("1 voxels are negative"), HasSubstr("index [3, 4, 5] with -0.5;")));
 }
 
-// What simulations leave of numbers that should be 0 is cleaned and told, as it is in the file: small numbers are not 0.
+// What simulations leave of numbers that should be 0 is cleaned and told, as it is in the file: small numbers are not
+// 0.
 TEST_F(VdbRefused, RoundingIsCleaned) {
   const auto g = grid();
   g->tree().setValueOn(Coord(7, 4, 5), -1e-9f);

@@ -37,7 +37,9 @@ class Context {
   // not copied.
   template <class T>
   cl::Buffer buffer_over(const char* what, const std::vector<T>& values) {
-    return buffer(what, values.size() * sizeof(T), values.data(), device_.cpu);
+    // Oclgrind takes memory of the host for never written.
+    const bool in_place = device_.cpu && device_.platform != "Oclgrind";
+    return buffer(what, values.size() * sizeof(T), values.data(), in_place);
   }
 
   // Programs that were built in it, by text and options: program_build() looks here first.

@@ -13,6 +13,7 @@ namespace {
 std::string megabytes(std::size_t bytes) { return std::to_string((bytes + 1048575) / 1048576) + " MiB"; }
 
 // Above this share of the device's memory the system starts to swap or kill: PoCL accepts more and fails later.
+constexpr std::size_t LEAST_BYTES = 64;  // of a buffer
 constexpr double MEMORY_SHARE = 0.8;
 
 // What a buffer gives back when it dies.
@@ -66,7 +67,7 @@ Context::Context(const DeviceInfo& device)
       allocated_(std::make_shared<std::atomic<std::size_t>>(0)) {}
 
 cl::Buffer Context::buffer(const char* what, std::size_t bytes, const void* data, bool in_place) {
-  const std::size_t size = std::max<std::size_t>(bytes, 16);
+  const std::size_t size = std::max<std::size_t>(bytes, LEAST_BYTES);
   if (size > device_.max_buffer_bytes)
     throw RuntimeError(std::string(what) + ": " + megabytes(size) + " in one buffer are needed; " + device_.title() +
                        " allows " + megabytes(device_.max_buffer_bytes));

@@ -59,8 +59,9 @@ void plan_media(const SceneDesc& desc, const FlatScene& flat, RenderPlan& plan) 
 
 Medium medium_of(const FlatScene& flat, const MediumWalk& walk, std::size_t medium) {
   const PlacedGrid& placed = flat.placed[static_cast<std::size_t>(medium_placed(flat.media[medium]))];
-  return medium_join(placed.grid < 0 ? BrickGrid{} : flat.grids[static_cast<std::size_t>(placed.grid)], placed,
-                     flat.media[medium], walk);
+  static constexpr BrickGrid NONE{};
+  const BrickGrid& grid = placed.grid < 0 ? NONE : flat.grids[static_cast<std::size_t>(placed.grid)];
+  return medium_join(&grid, &placed, &flat.media[medium], &walk);
 }
 
 RenderPlan plan_render(const SceneDesc& desc, const FlatScene& flat, const PlanOptions& options) {

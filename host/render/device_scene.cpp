@@ -36,6 +36,7 @@ struct Element<std::vector<T>> {
 #define ASSERT_PLAN(type, member) static_assert(std::is_same_v<Element<decltype(RenderPlan::member)>::Type, type>);
 #define ASSERT_STORED(type, member)
 #define ASSERT_SCRATCH(type, member)
+#define ASSERT_JOINED(type, member)
 #define ROW(space, type, name, kind, member, what) ASSERT_##kind(type, member)
 BRUME_SCENE_BUFFERS(ROW, )
 #undef ROW
@@ -57,6 +58,7 @@ DeviceScene::DeviceScene(Context& context, const FlatScene& scene) : context_(co
 #define UPLOAD_PLAN(name, member, what)
 #define UPLOAD_STORED(name, member, what)
 #define UPLOAD_SCRATCH(name, member, what)
+#define UPLOAD_JOINED(name, member, what)
 #define ROW(space, type, name, kind, member, what) UPLOAD_##kind(name, member, what)
   BRUME_SCENE_BUFFERS(ROW, )
 #undef ROW
@@ -97,6 +99,9 @@ DevicePlan::DevicePlan(Context& context, DeviceScene& scene, const RenderPlan& p
 #define ROW(space, type, name, kind, member, what) UPLOAD_##kind(name, member, what)
   BRUME_SCENE_BUFFERS(ROW, )
 #undef ROW
+  std::vector<Medium> media;
+  for (std::size_t i = 0; i < plan.walks.size(); ++i) media.push_back(medium_of(scene.flat(), plan.walks[i], i));
+  at(buffers_, SceneBuffer::media) = upload(context, name_of(SceneBuffer::media), media);
   at(buffers_, SceneBuffer::light_tau) =
       context.buffer(name_of(SceneBuffer::light_tau),
                      static_cast<std::size_t>(plan.light_entries * tau_channels) * sizeof(float), nullptr);

@@ -4,14 +4,6 @@
 #include "lib/scene.cl"
 #include "lib/slab.cl"
 
-// Medium m with everything about it.
-static inline Medium medium_load(const Scene* scene, int m) {
-  const MediumBody body = scene->media[m];
-  const PlacedGrid placed = scene->placed[medium_placed(body)];
-  const BrickGrid grid = scene->grids[max(placed.grid, 0)];
-  return medium_join(grid, placed, body, scene->walks[m]);
-}
-
 // A ray inside one medium, measured in world length s from where it enters: cell-space position = origin + s dir.
 // Starting at the entry keeps float for the medium, however far the camera is.
 typedef struct {

@@ -105,7 +105,7 @@ static inline Stretch stretch_of(const Medium* medium, const MediumRay* ray, flo
 // its optical depth. Each turn takes W segments of the walk, or W parts of those that are dense.
 static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float3 dir, float t_max, Random random,
                                  float3* radiance, MediumResult* result) {
-  const Medium medium = medium_load(scene, m);
+  const Medium medium = scene->media[m];
   const Tau sigma_t = medium_sigma_t(&medium);
   const MediumRay ray = medium_ray(&medium, origin, dir, t_max);
   Tau tau = (Tau)(0.0f);
@@ -174,7 +174,7 @@ OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 di
   Tau tau = (Tau)(0.0f);
 #if BRUME_MEDIA
   for (int m = 0; m < MEDIA_END(scene); ++m) {
-    const Medium medium = medium_load(scene, m);
+    const Medium medium = scene->media[m];
     tau += medium_only_absorbs(&medium) ? medium_tau(scene, m, origin, dir, t_max, random, &result.lookups)
                                         : medium_scatter(scene, m, origin, dir, t_max, random, &radiance, &result);
   }

@@ -88,7 +88,7 @@ static inline void stretch_others_placed(const Scene* scene, Stretch* s, int m, 
 
 // Adds what medium m brings to others, beside and, from the last segment that counts, to *tau.
 static inline void stretch_other(const Scene* scene, Stretch* s, int m, float from, int last, Tau* tau, uint* lookups) {
-  const Medium medium = medium_load(scene, m);
+  const Medium medium = scene->media[m];
   const Tau sigma_t = medium_sigma_t(&medium);
   if (!(tau_max(sigma_t) > 0.0f)) return;
   const MediumRay ray = medium_ray(&medium, s->origin, s->dir, s->t_max);

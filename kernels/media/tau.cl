@@ -106,7 +106,7 @@ static inline Tau track_tau(const Scene* scene, const Medium* medium, const Medi
 // Optical depth of medium m from the origin to t_max.
 static inline Tau medium_tau(const Scene* scene, int m, float3 origin, float3 dir, float t_max, Random random,
                              uint* lookups) {
-  const Medium medium = medium_load(scene, m);
+  const Medium medium = scene->media[m];
   const Tau sigma_t = medium_sigma_t(&medium);
   if (!(tau_max(sigma_t) > 0.0f)) return sigma_t;  // a medium that only glows
   const MediumRay ray = medium_ray(&medium, origin, dir, t_max);

@@ -36,7 +36,7 @@ __kernel void light_grid(SCENE_ARGS, int medium, int light_index, uint first, ui
   const uint item = first + (uint)get_global_id(0);
   if (item >= count) return;
   const Scene scene = SCENE_PACK;
-  const Medium m = medium_load(&scene, medium);
+  const Medium m = media[medium];
   const LightGrid grid = light_grids[m.light_grids + light_index];
   const int columns = grid.columns_u * grid.columns_v, column = (int)item % columns;
   const int u = grid.first_u + column % grid.columns_u, v = grid.first_v + column / grid.columns_u;

@@ -110,7 +110,7 @@ PROBE(probe_segments) {
   PROBE_ITEM;
   __global const float* v = in + 8 * item;
   __global float* o = out + 2 * PROBE_SEGMENTS * item;
-  const Medium medium = medium_load(&scene, as_int(v[0]));
+  const Medium medium = media[as_int(v[0])];
   const MediumRay ray = medium_ray(&medium, probe_load3(v + 1), probe_load3(v + 4), v[7]);
   for (int i = 0; i < 2 * PROBE_SEGMENTS; ++i) o[i] = 0.0f;
   if (!(ray.length > 0.0f)) return;
@@ -129,7 +129,7 @@ PROBE(probe_segments) {
 PROBE(probe_integral) {
   PROBE_ITEM;
   __global const float* v = in + 8 * item;
-  const Medium medium = medium_load(&scene, as_int(v[0]));
+  const Medium medium = media[as_int(v[0])];
   const MediumRay ray = medium_ray(&medium, probe_load3(v + 1), probe_load3(v + 4), v[7]);
   uint lookups = 0;
   out[item] = walk_total(&scene, &medium, &ray, random_begin(frame, item, 0), 0.0f, &lookups);
@@ -140,7 +140,7 @@ PROBE(probe_integral) {
 PROBE(probe_density) {
   PROBE_ITEM;
   __global const float* v = in + (1 + 3 * PROBE_POINTS) * item;
-  const Medium medium = medium_load(&scene, as_int(v[0]));
+  const Medium medium = media[as_int(v[0])];
   for (int first = 0; first < PROBE_POINTS; first += W) {
     float p[3][W], density[W];
     for (int i = 0; i < W; ++i)

@@ -70,7 +70,7 @@ typedef struct {
 } MediumWalk;
 BRUME_LAYOUT(MediumWalk, 16);
 
-// All of it side by side, as walks use it; never in a buffer.
+// All of it side by side, as kernels read it: one copy out of memory for every ray.
 typedef struct {
   Affine cell_from_world, world_from_cell;
   Packed3 lo, hi;
@@ -84,37 +84,41 @@ typedef struct {
   float step, track_sigma;
   int light_grids;
 } Medium;
+BRUME_LAYOUT(Medium, 224);
 
+#ifndef __OPENCL_C_VERSION__
 static inline int medium_placed(MediumBody body) { return body.density >= 0 ? body.density : body.glow; }
 
 // `grid` is not read where the density is constant.
-static inline Medium medium_join(BrickGrid grid, PlacedGrid placed, MediumBody body, MediumWalk walk) {
+static inline Medium medium_join(const BrickGrid* grid, const PlacedGrid* placed, const MediumBody* body,
+                                 const MediumWalk* walk) {
   Medium m;
-  m.cell_from_world = placed.cell_from_world;
-  m.world_from_cell = placed.world_from_cell;
-  m.lo = placed.lo;
-  m.hi = placed.hi;
-  m.brick_offset = grid.brick_offset;
-  m.cells_x = grid.cells_x;
-  m.cells_y = grid.cells_y;
-  m.cells_z = grid.cells_z;
-  m.brick_nx = grid.brick_nx;
-  m.brick_ny = grid.brick_ny;
-  m.brick_nz = grid.brick_nz;
-  m.interpolation = placed.interpolation;
-  m.region = placed.region;
-  m.is_constant = placed.grid < 0;
-  m.constant_density = placed.constant_density;
-  m.sigma_a = body.sigma_a;
-  m.sigma_s = body.sigma_s;
-  m.emission = body.emission;
-  m.phase = body.phase;
-  m.g = body.g;
-  m.method = walk.method;
-  m.step = walk.step;
-  m.track_sigma = walk.track_sigma;
-  m.light_grids = walk.light_grids;
+  m.cell_from_world = placed->cell_from_world;
+  m.world_from_cell = placed->world_from_cell;
+  m.lo = placed->lo;
+  m.hi = placed->hi;
+  m.brick_offset = grid->brick_offset;
+  m.cells_x = grid->cells_x;
+  m.cells_y = grid->cells_y;
+  m.cells_z = grid->cells_z;
+  m.brick_nx = grid->brick_nx;
+  m.brick_ny = grid->brick_ny;
+  m.brick_nz = grid->brick_nz;
+  m.interpolation = placed->interpolation;
+  m.region = placed->region;
+  m.is_constant = placed->grid < 0;
+  m.constant_density = placed->constant_density;
+  m.sigma_a = body->sigma_a;
+  m.sigma_s = body->sigma_s;
+  m.emission = body->emission;
+  m.phase = body->phase;
+  m.g = body->g;
+  m.method = walk->method;
+  m.step = walk->step;
+  m.track_sigma = walk->track_sigma;
+  m.light_grids = walk->light_grids;
   return m;
 }
+#endif
 BRUME_SHARED_END
 #endif

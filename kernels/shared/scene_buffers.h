@@ -10,6 +10,7 @@
 //   FLAT    the same for every picture of a scene: a member of FlatScene
 //   PLAN    of one picture: a member of RenderPlan
 //   STORED  depends on render.storage
+//   JOINED  of the media of FlatScene and their walks in RenderPlan (medium_join)
 //   SCRATCH filled on the device
 #define BRUME_SCENE_BUFFERS(ROW, NEXT)                                                                    \
   ROW(__constant, Frame, frame, PLAN, frame, "frame")                                                     \
@@ -24,10 +25,7 @@
   ROW(__global, int, bvh_links, FLAT, bvh_links, "BVH links") NEXT                                        \
   ROW(__global, float, bvh_blocks, FLAT, bvh_blocks, "BVH triangles") NEXT                                \
   ROW(__global, int, bvh_ids, FLAT, bvh_ids, "BVH triangle numbers") NEXT                                 \
-  ROW(__global, BrickGrid, grids, FLAT, grids, "grids") NEXT                                              \
-  ROW(__global, PlacedGrid, placed, FLAT, placed, "placed grids") NEXT                                    \
-  ROW(__global, MediumBody, media, FLAT, media, "media") NEXT                                             \
-  ROW(__global, MediumWalk, walks, PLAN, walks, "walks through media") NEXT                               \
+  ROW(__global, Medium, media, JOINED, media, "media") NEXT                                               \
   ROW(__global, int, bricks, FLAT, bricks, "brick index") NEXT                                            \
   ROW(__global, float, ranges, STORED, brick_ranges, "brick ranges") NEXT                                 \
   ROW(__global, Voxel, voxels, STORED, voxels, "voxels") NEXT                                             \

@@ -12,8 +12,10 @@
 #include "base/stopwatch.hpp"
 #include "cli/command.hpp"
 #include "film/film_compare.hpp"
+#include "film/film_write.hpp"
 #include "measure.hpp"
 #include "peers.hpp"
+#include "render/device_scene.hpp"
 
 namespace brume {
 
@@ -52,20 +54,21 @@ void render_benchmark(::benchmark::State& state, const DeviceInfo& device, const
                       const Setting& setting) {
   Context context(device);  // counts the memory of this render alone
   const int lanes = lanes_choose(context.device(), 0);
-  Renderer renderer(context, flat_scene(work, setting, lanes), {lanes, false, 0});
-  Film film(work.desc.film.size);
-  int runs = 0;
+  const FlatScene& flat = flat_scene(work, setting, lanes);
+  Renderer renderer(context, std::make_shared<DeviceScene>(context, flat), plan_of(work, setting, flat),
+                    {lanes, false, 0});
+  Film film({0, 0});
   for (auto unused : state) {
     (void)unused;
     const Stopwatch watch;
+    film = Film(work.desc.film.size);
     if (!renderer.render(film, [](double) { return !interrupt_requested(); })) interrupt_check();
     state.SetIterationTime(watch.seconds());
-    ++runs;
   }
-  const CompareResult error = image_compare(picture(film), exact_picture(context, work));
+  const CompareResult error = image_compare(film_image(film), exact_picture(context, work));
   state.counters["rel_rmse"] = error.rel_rmse;
   state.counters["device_MB"] = static_cast<double>(renderer.stats().device_bytes) / 1e6;
-  state.counters["lookups"] = renderer.stats().lookups / runs;
+  state.counters["lookups"] = renderer.stats().lookups;
 }
 
 void peer_benchmark(::benchmark::State& state, const Workload& work, const std::filesystem::path& folder) {

@@ -10,7 +10,7 @@
 namespace brume::bench {
 
 struct Setting {
-  std::string name;  // permanent: results of years are compared by it
+  const char* name;  // permanent: results of years are compared by it
   int method;
   double step_voxels;  // of marchers; 0 for the others
   int shadow, light_grid = 64, storage = STORAGE_F32;
@@ -18,8 +18,9 @@ struct Setting {
 const std::vector<Setting>& settings();
 
 SceneDesc scene_of(const Workload& work, const Setting& setting);
-FlatScene flat_scene(const Workload& work, const Setting& setting, int lanes);
-Image picture(const Film& film);
+// The workload as a setting needs it, flattened once for all that need the same.
+const FlatScene& flat_scene(const Workload& work, const Setting& setting, int lanes);
+RenderPlan plan_of(const Workload& work, const Setting& setting, const FlatScene& flat);
 
 // The exact picture of a workload: dda_gauss2, light traced. Rendered once and kept.
 const Image& exact_picture(Context& context, const Workload& work);

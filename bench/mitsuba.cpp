@@ -9,7 +9,6 @@
 #include "mitsuba_script.hpp"
 #include "peers.hpp"
 #include "process.hpp"
-#include "volume/volume_file.hpp"
 
 namespace brume::bench {
 
@@ -36,7 +35,7 @@ std::optional<MitsubaRun> mitsuba_run(const Workload& work, const std::filesyste
   const char* python = std::getenv("BRUME_PYTHON");
   const std::string interpreter = python ? python : "python3";
   if (!command_succeeds(interpreter + " -c 'import mitsuba, numpy' >/dev/null 2>&1")) return std::nullopt;
-  const Grid grid = volume_read(work.file, work.desc.media[0].density.grid);
+  const Grid& grid = work.grid();
   const dvec3 size(grid.size());
   MitsubaRun run{0, {folder / (work.name + "_mitsuba0.exr"), folder / (work.name + "_mitsuba1.exr")}};
   const std::filesystem::path densities = folder / "mitsuba.raw", scene = folder / "mitsuba.json",

@@ -17,7 +17,7 @@ namespace brume::bench {
 
 namespace {
 
-std::string triple(const dvec3& v) {
+std::string words(const dvec3& v) {
   char text[120];
   std::snprintf(text, sizeof text, "%.9g,%.9g,%.9g", v.x, v.y, v.z);
   return text;
@@ -31,10 +31,10 @@ std::string vdb_render_command(const Workload& work, const std::filesystem::path
   const dvec3 radiance = d.lights[0].intensity / (4 * M_PI);  // it knows no phase function
   std::ostringstream command;
   command << "vdb_render " << quoted(work.file) << " " << quoted(picture) << " -v -cpus 0 -res " << d.film.size.x << "x"
-          << d.film.size.y << " -fov " << d.camera.vfov << " -translate " << triple(d.camera.eye) << " -lookat "
-          << triple(d.camera.target) << " -absorb " << triple(m.sigma_a * work.voxel_size) << " -scatter "
-          << triple(m.sigma_s * work.voxel_size) << " -gain 1 -light " << triple(-glm::normalize(d.lights[0].direction))
-          << "," << triple(radiance);
+          << d.film.size.y << " -fov " << d.camera.vfov << " -translate " << words(d.camera.eye) << " -lookat "
+          << words(d.camera.target) << " -absorb " << words(m.sigma_a * work.voxel_size()) << " -scatter "
+          << words(m.sigma_s * work.voxel_size()) << " -gain 1 -light " << words(-glm::normalize(d.lights[0].direction))
+          << "," << words(radiance);
   if (converged) command << " -step 0.5 -shadowstep 1 -cutoff 1e-5";
   return command.str();
 }

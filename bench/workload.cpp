@@ -7,7 +7,6 @@
 
 #include "flat/bare_scene.hpp"
 #include "volume/formats/openvdb.hpp"
-#include "volume/volume_file.hpp"
 
 namespace brume::bench {
 
@@ -44,7 +43,8 @@ void fog_write(int side, const std::filesystem::path& file) {
 
 Workload workload(const std::string& name, const std::filesystem::path& file, int size) {
   std::string report;
-  Workload w{name, file, volume_list(file).front().voxel_size.x, bare_scene(file, report)};
+  const auto loaded = std::make_shared<LoadedScene>();
+  Workload w{name, file, loaded, bare_scene(file, *loaded, report)};
   w.desc.background = dvec3(0);
   w.desc.film.size = {size, size};
   return w;

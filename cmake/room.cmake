@@ -1,5 +1,6 @@
-# brume_room(NAME [LINKS rooms...] [LIBRARIES targets...]): the static library brume_NAME of host/NAME/**.cpp.
+# brume_room(NAME [APART] [LINKS rooms...] [LIBRARIES targets...]): the static library brume_NAME of host/NAME/**.cpp.
 # LINKS are seen by everyone who links the room, LIBRARIES only by the room itself.
+# APART: its files use the same names, so that they cannot be compiled together (defaults.cmake).
 # A room of headers alone becomes an INTERFACE library.
 add_library(brume_roots INTERFACE)
 target_include_directories(brume_roots INTERFACE "${PROJECT_SOURCE_DIR}/host" "${PROJECT_SOURCE_DIR}/kernels"
@@ -7,12 +8,15 @@ target_include_directories(brume_roots INTERFACE "${PROJECT_SOURCE_DIR}/host" "$
 target_link_libraries(brume_roots INTERFACE glm::glm)
 
 function(brume_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "" "" "LINKS;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 room "APART" "" "LINKS;LIBRARIES")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/host/${name}/*.cpp")
   list(TRANSFORM room_LINKS PREPEND brume_)
   if(sources)
     add_library(brume_${name} STATIC ${sources})
     target_link_libraries(brume_${name} PUBLIC brume_roots ${room_LINKS} PRIVATE ${room_LIBRARIES})
+    if(NOT room_APART)
+      brume_join(brume_${name})
+    endif()
   else()
     add_library(brume_${name} INTERFACE)
     target_link_libraries(brume_${name} INTERFACE brume_roots ${room_LINKS})

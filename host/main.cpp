@@ -1,4 +1,5 @@
-// brume: scene file → picture. Parses the command line, runs one command, turns failures into one line and an exit code:
+// brume: scene file → picture. Parses the command line, runs one command, turns failures into one line and an exit
+// code:
 // 0 done, 1 device, memory or I/O failure, 2 bad input or usage, 130 interrupted.
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -31,6 +32,7 @@ int run(int argc, char** argv) {
   brume::command_devices(app, command);
   brume::command_info(app, command);
   brume::command_compare(app, command);
+  brume::command_merge(app, command);
   brume::command_bench(app, command);
   try {
     app.parse(argc, argv);
@@ -48,8 +50,8 @@ int run(int argc, char** argv) {
   return command();
 }
 
-// Before the shared libraries set themselves up, which takes longer than the rest of the way to main: they find all three streams open, and a
-// signal in that time is not lost.
+// Before the shared libraries set themselves up, which takes longer than the rest of the way to main: they find all
+// three streams open, and a signal in that time is not lost.
 void early(int, char**, char**) {
   brume::streams_open();
   brume::interrupt_install();

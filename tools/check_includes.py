@@ -15,24 +15,30 @@ HOST = {
     "accel": "base shared",
     "image": "base",
     "codec": "base image",
-    "flat": "base shared scene volume mesh accel image",
+    "load": "base shared scene volume mesh image",
+    "flat": "base shared scene volume mesh accel image load",
     "cl": "base",
     "film": "base shared image",
     "reference": "base shared flat film",
     "render": "base shared flat film cl",
-    "check": "base shared scene flat film reference render cl",
-    "cli": "base shared scene volume mesh accel image flat cl film reference render check",
+    "check": "base shared scene volume flat film reference render cl",
+    "stability": "base shared scene flat film reference render cl check",
+    "cli": "base shared scene volume mesh accel image load flat cl film reference render check stability",
     "": "base cli",  # host/main.cpp
 }
 KERNELS = {
     "shared": "",
     "lib": "shared",
     "shapes": "shared lib",
+    "lights": "shared lib",
     "phase": "shared lib",
-    "transmittance": "shared lib",
-    "radiance": "shared lib shapes phase transmittance",
-    "passes": "shared lib shapes phase transmittance radiance",
-    "probes": "shared lib shapes phase transmittance radiance",
+    "density": "shared lib",
+    "walk": "shared lib density",
+    "media": "shared lib shapes lights phase density walk",
+    "materials": "shared lib shapes",
+    "path": "shared lib shapes lights density walk media materials",
+    "passes": "shared lib shapes lights phase density walk media materials path",
+    "probes": "shared lib shapes lights phase density walk media materials path",
 }
 # Third-party header -> the rooms that may see it.
 LIBRARIES = {
@@ -43,7 +49,8 @@ LIBRARIES = {
     "CLI/": "cli",
     "nlohmann/": "base scene check cli",
 }
-GENERATED = {"version.hpp"}
+# Header that the build makes -> the rooms that may see it.
+GENERATED = {"version.hpp": ("", "cli"), "codec_libraries.hpp": ("codec",)}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
 
@@ -56,7 +63,8 @@ def quoted_error(root, path, included):
     in_kernels = path.parts[0] == "kernels"
     suffix, room = Path(included).suffix, included.split("/")[0] if "/" in included else ""
     if included in GENERATED:
-        return None if room_of(path) in ("", "cli") else "only main and cli know the version"
+        rooms = [room or "main" for room in GENERATED[included]]
+        return None if room_of(path) in GENERATED[included] else f"only {' and '.join(rooms)} may include {included}"
     allowed = (KERNELS if in_kernels else HOST)[room_of(path)].split() + [room_of(path)]
     if room not in allowed:
         return f"{path.parts[0]}/{room_of(path)} may include {', '.join(filter(None, allowed)) or 'nothing'}, not {room or 'the root'}"

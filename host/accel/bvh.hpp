@@ -14,7 +14,8 @@ struct FlatBvh {
 };
 
 // width: children per node and triangles per block, 4, 8 or 16. No triangles: empty arrays. Deterministic.
-// Fits the traversal's stack whatever the triangles are. Throws RuntimeError for more blocks than the 27 bits of a leaf link.
+// Fits the traversal's stack whatever the triangles are. Throws RuntimeError for more blocks than the 27 bits of a leaf
+// link.
 FlatBvh bvh_build(const std::vector<Triangle>& triangles, int width);
 
 // The binary tree under it, exposed for the collapse and for tests.

@@ -1,5 +1,5 @@
-// Binary BVH by binned surface-area heuristic [Wald07]. Where the bins cannot separate the centroids, or the tree gets deep, the
-// range is halved by index: the depth stays bounded whatever the triangles are.
+// Binary BVH by binned surface-area heuristic [Wald07]. Where the bins cannot separate the centroids, or the tree gets
+// deep, the range is halved by index: the depth stays bounded whatever the triangles are.
 #include <algorithm>
 #include <array>
 #include <limits>

@@ -1,5 +1,6 @@
-// Binary → wide: a node takes in its largest child until it has `width` of them [Wald08]; leaves become blocks of triangles.
-// Every child but one waits on the traversal's stack: where a deep tree would overflow it, nodes take in fewer.
+// Binary → wide: a node takes in its largest child until it has `width` of them [Wald08]; leaves become blocks of
+// triangles. Every child but one waits on the traversal's stack: where a deep tree would overflow it, nodes take in
+// fewer.
 #include <algorithm>
 #include <limits>
 #include <string>
@@ -58,7 +59,8 @@ class Collapse {
     return open;
   }
 
-  // Appends the wide node under a binary one and returns its number. `pending` counts entries that may wait on the stack above it.
+  // Appends the wide node under a binary one and returns its number. `pending` counts entries that may wait on the
+  // stack above it.
   std::int32_t node_add(std::int32_t root, int pending = 0) {
     const auto number = static_cast<std::int32_t>(out_.links.size() / width_);
     const float inf = std::numeric_limits<float>::infinity();

@@ -1,5 +1,5 @@
-// A file that is either complete or absent: written under a temporary name in the target's folder, flushed to the disk and renamed on commit.
-// Whatever fails says what the system says of it: "No space left on device".
+// A file that is either complete or absent: written under a temporary name in the target's folder, flushed to the disk
+// and renamed on commit. Whatever fails says what the system says of it: "No space left on device".
 #pragma once
 #include <filesystem>
 #include <string>
@@ -9,9 +9,10 @@ namespace brume {
 
 class AtomicFile {
  public:
-  // Creates the empty temporary `name.tmp-<pid>`, and removes those of the same name that a killed run has left: nobody holds their lock.
-  // Throws RuntimeError, naming the folder, where it is missing or not writable, and where the target is a folder or a device. A target that
-  // is a symbolic link is written where it points, whether something is there or not.
+  // Creates the empty temporary `name.tmp-<pid>`, and removes those of the same name that a killed run has left: nobody
+  // holds their lock. Throws RuntimeError, naming the folder, where it is missing or not writable, and where the target
+  // is a folder or a device. A target that is a symbolic link is written where it points, whether something is there or
+  // not.
   explicit AtomicFile(const std::filesystem::path& target);
   ~AtomicFile();  // removes the temporary unless committed
   AtomicFile(const AtomicFile&) = delete;
@@ -30,7 +31,8 @@ class AtomicFile {
   bool committed_ = false;
 };
 
-// Where a file of that name would be written: links followed, the folder without "..": two spellings of one file are equal.
+// Where a file of that name would be written: links followed, the folder without "..": two spellings of one file are
+// equal.
 std::filesystem::path file_target(const std::filesystem::path& file);
 
 // A whole file at once. Throws RuntimeError.

@@ -1,4 +1,6 @@
-// A family is a table of named members (phases, methods, shapes, ...). Parser, --help, errors and tests read the table.
+// A family is a table of named members (phases, methods, shapes, ...). Those that kernels know too are one list of rows
+// ROW(ID, name, ..., help) in kernels/shared, which their enum, scene/families.cpp, dispatchers and tables expand.
+// Parser, --help, errors, checks and tests read the table.
 #pragma once
 #include <string>
 #include <string_view>

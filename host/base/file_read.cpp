@@ -99,4 +99,10 @@ std::string file_ending(const fs::path& file) {
   return ending;
 }
 
+std::string file_key(const fs::path& file) {
+  std::error_code failed;  // the current folder may be gone
+  const fs::path whole = fs::absolute(file, failed);
+  return (failed ? file : whole).lexically_normal().string();
+}
+
 }  // namespace brume

@@ -1,4 +1,5 @@
-// See foreign_lines.hpp. A file in memory takes the place of descriptor 2: unlike a pipe it never fills up, and a signal handler can read it.
+// See foreign_lines.hpp. A file in memory takes the place of descriptor 2: unlike a pipe it never fills up, and a
+// signal handler can read it.
 #include "base/foreign_lines.hpp"
 
 #include <fcntl.h>

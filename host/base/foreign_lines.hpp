@@ -1,13 +1,13 @@
-// What libraries print to stderr by themselves, so that it goes through brume's messages: warnings, and a driver's last words before it
-// ends the process.
+// What libraries print to stderr by themselves, so that it goes through brume's messages: warnings, and a driver's last
+// words before it ends the process.
 #pragma once
 #include <string>
 #include <vector>
 
 namespace brume {
 
-// While one lives, what is written to descriptor 2 is kept; brume's own lines go around it by message_write. Not for two threads at once;
-// one inside another does nothing.
+// While one lives, what is written to descriptor 2 is kept; brume's own lines go around it by message_write. Not for
+// two threads at once; one inside another does nothing.
 class ForeignLines {
  public:
   explicit ForeignLines(const char* who);  // "the OpenCL driver"

@@ -24,8 +24,8 @@ namespace {
 
 constexpr int POLL_MS = 100;  // a signal ends a poll by itself; this is for one that came just before it
 
-// Socket as standard input, nothing else of ours; a process group of its own, so that Ctrl-C is this program's to answer; default
-// signals, so that a crash looks like one.
+// Socket as standard input, nothing else of ours; a process group of its own, so that Ctrl-C is this program's to
+// answer; default signals, so that a crash looks like one.
 int spawn(const fs::path& program, int socket, pid_t* child) {
   posix_spawn_file_actions_t files;
   posix_spawnattr_t attributes;

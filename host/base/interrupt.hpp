@@ -1,6 +1,7 @@
-// Ctrl-C and SIGTERM. The first is acknowledged at once and answered within a second wherever brume is: loops that can stop do so, and
-// where none does (a driver compiles, a file is read), a thread that watches writes what is done and ends the program. A second one
-// ends it at once; one within INTERRUPT_ECHO_S is the first again: `timeout` and shells signal both the process and its group.
+// Ctrl-C and SIGTERM. The first is acknowledged at once and answered within a second wherever brume is: loops that can
+// stop do so, and where none does (a driver compiles, a file is read), a thread that watches writes what is done and
+// ends the program. A second one ends it at once; one within INTERRUPT_ECHO_S is the first again: `timeout` and shells
+// signal both the process and its group.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -16,8 +17,8 @@ void interrupt_listen();   // again, where a library may have taken the signals 
 bool interrupt_requested();
 void interrupt_check();  // throws Interrupted where it was requested
 
-// While one lives, `rescue` writes what is done before the program is ended: by the thread that watches, while the one that works does
-// not answer. It must not throw.
+// While one lives, `rescue` writes what is done before the program is ended: by the thread that watches, while the one
+// that works does not answer. It must not throw.
 class InterruptRescue {
  public:
   explicit InterruptRescue(std::function<void()> rescue);
@@ -26,7 +27,8 @@ class InterruptRescue {
   InterruptRescue& operator=(const InterruptRescue&) = delete;
 };
 
-// From here on the caller's thread writes what there is and ends the program; does not return where it is being ended already.
+// From here on the caller's thread writes what there is and ends the program; does not return where it is being ended
+// already.
 void interrupt_claim();
 
 // A folder that is removed where the program is ended from outside.

@@ -1,5 +1,5 @@
-// Text → JSON with the refusals that nlohmann's parser leaves to its callers: duplicate keys, depth, numbers beyond double,
-// texts that are none. Not the reading of values: json_value.cpp.
+// Text → JSON with the refusals that nlohmann's parser leaves to its callers: duplicate keys, depth, numbers beyond
+// double, texts that are none. Not the reading of values: json_value.cpp.
 #include <algorithm>
 #include <iterator>
 #include <set>
@@ -55,8 +55,8 @@ void complete_quote(std::string& text, const char* reached, const char* end) {
   text.insert(at + 1, reached, static_cast<std::size_t>(last - reached));
 }
 
-// "[json.exception...] parse error at line 3, column 7: cause" → "line 3, column 7: cause", short and printable: the parser
-// quotes the text, which may be anything.
+// "[json.exception...] parse error at line 3, column 7: cause" → "line 3, column 7: cause", short and printable: the
+// parser quotes the text, which may be anything.
 std::string parse_message(std::string what, const std::string& place, const char* reached, const char* end) {
   complete_quote(what, reached, end);
   const auto at = what.find("at line ");

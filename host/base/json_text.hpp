@@ -9,7 +9,8 @@ namespace brume {
 // nlohmann's type_error for a text that is not UTF-8.
 std::string json_text(const nlohmann::ordered_json& json);
 
-// As JSON's dump: -1 for one line, else the indentation. Bytes that are no UTF-8, as names of files may hold them, are replaced.
+// As JSON's dump: -1 for one line, else the indentation. Bytes that are no UTF-8, as names of files may hold them, are
+// replaced.
 std::string json_line(const nlohmann::ordered_json& json, int indent = -1);
 
 }  // namespace brume

@@ -1,5 +1,5 @@
-// A JSON value that knows its file, its place (JSON pointer) and which of its keys were read. Every failure is an InputError
-// "file: /place: cause, what is allowed".
+// A JSON value that knows its file, its place (JSON pointer) and which of its keys were read. Every failure is an
+// InputError "file: /place: cause, what is allowed".
 #pragma once
 #include <glm/vec3.hpp>
 #include <memory>
@@ -13,8 +13,8 @@
 
 namespace brume {
 
-// A range of numbers; its text is part of the message: "expected a number > 0, got -1". An open end is compared in float,
-// the precision in which scenes are rendered: g = 0.9999999999 is 1 there and 1e-60 is 0.
+// A range of numbers; its text is part of the message: "expected a number > 0, got -1". An open end is compared in
+// float, the precision in which scenes are rendered: g = 0.9999999999 is 1 there and 1e-60 is 0.
 struct Range {
   double lo, hi;
   bool lo_open, hi_open;
@@ -56,8 +56,8 @@ class JsonValue {
   bool is_null() const { return json_->is_null(); }
   const nlohmann::json& json() const { return *json_; }
 
-  // A member of this object. has() and get() mark the key as read; get() fails when it is absent. Copies of a JsonValue share
-  // what was read, but two get() of one key do not: read an object through one of them.
+  // A member of this object. has() and get() mark the key as read; get() fails when it is absent. Copies of a JsonValue
+  // share what was read, but two get() of one key do not: read an object through one of them.
   bool has(const std::string& key) const;
   JsonValue get(const std::string& key) const;
   void expect_object() const;

@@ -1,4 +1,5 @@
-// See text_printable.hpp. UTF-8 as RFC 3629 has it: no surrogates, nothing beyond U+10FFFF, no longer forms than needed.
+// See text_printable.hpp. UTF-8 as RFC 3629 has it: no surrogates, nothing beyond U+10FFFF, no longer forms than
+// needed.
 #include "base/text_printable.hpp"
 
 #include <cstddef>

@@ -1,18 +1,11 @@
-// See check.hpp: error bookkeeping, running probes, the order of the checks. Images: check_images.cpp.
+// See check.hpp: error bookkeeping and the order of the checks.
 #include "check/check.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "base/error.hpp"
 #include "base/interrupt.hpp"
-#include "check/check_images.hpp"
 #include "check/check_parts.hpp"
-#include "cl/driver_guard.hpp"
-#include "cl/program.hpp"
-#include "render/device_scene.hpp"
-#include "render/kernel_options.hpp"
 
 namespace brume {
 
@@ -35,6 +28,11 @@ double ErrorSum::error(double kernel, double reference) const {
 
 bool ErrorSum::agrees(double kernel, double reference) const { return error(kernel, reference) <= row_.allowed.limit; }
 
+bool ErrorSum::agree(const std::vector<double>& kernel, const std::vector<double>& reference) const {
+  return std::equal(kernel.begin(), kernel.end(), reference.begin(), reference.end(),
+                    [&](double k, double r) { return agrees(k, r); });
+}
+
 void ErrorSum::add(double kernel, double reference) {
   const double e = error(kernel, reference);
   row_.max_error = std::max(row_.max_error, e);
@@ -45,71 +43,42 @@ void ErrorSum::add(double kernel, double reference) {
 CheckRow ErrorSum::row() const {
   CheckRow row = row_;
   row.mean_error = row.items > 0 ? sum_ / static_cast<double>(row.items) : 0;
+  if (row.items > 0 && items_ > 0) row.items = items_;  // a row that compared nothing has not passed
   return row;
 }
 
 namespace {
 
-// One program per set of options serves all probes: they only differ in the kernel they name.
-cl::Program probe_program(const Context& context, const FlatScene& scene, int lanes) {
-  static std::map<std::pair<cl_context, std::string>, cl::Program> programs;
-  const std::string options = kernel_options(scene, context.device(), lanes, true);
-  const auto key = std::make_pair(context.cl()(), options);
-  const auto known = programs.find(key);
-  if (known != programs.end()) return known->second;
-  return programs[key] = program_build(context, kernel_source("probes/probes.cl"), options);
+std::vector<Check> all_checks() {
+  std::vector<Check> all;
+  for (const auto list : {basic_checks, material_checks, surface_checks, medium_checks, density_checks, image_checks})
+    for (Check& check : list()) all.push_back(std::move(check));
+  return all;
 }
 
 }  // namespace
 
-std::vector<float> Probe::run(const char* name, const std::vector<float>& in, std::size_t in_stride,
-                              std::size_t out_stride) const {
-  constexpr std::size_t group = 16;
-  const std::size_t count = in.size() / in_stride;
-  std::vector<float> out(count * out_stride);
-  const DriverGuard guard;
-  try {
-    const DeviceScene device_scene(context_, scene_, 3);
-    cl::Kernel kernel = kernel_create(probe_program(context_, scene_, lanes_), name);
-    cl_uint argument = device_scene.set_arguments(kernel);
-    const cl::Buffer in_buffer = context_.buffer("probe inputs", in),
-                     out_buffer = context_.buffer("probe results", out);
-    kernel.setArg(argument++, static_cast<cl_uint>(count));
-    kernel.setArg(argument++, in_buffer);
-    kernel.setArg(argument++, out_buffer);
-    context_.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((count + group - 1) / group * group),
-                                          cl::NDRange(group));
-    context_.queue().enqueueReadBuffer(out_buffer, CL_TRUE, 0, out.size() * sizeof(float), out.data());
-  } catch (const cl::Error& error) {
-    throw RuntimeError(context_.device().title() + ": " + name + ": " + error.what() +
-                       " failed: " + cl_error_name(error.err()));
-  }
-  return out;
+std::vector<std::string> check_names() {
+  std::vector<std::string> names;
+  for (const Check& check : all_checks()) names.push_back(check.name);
+  return names;
 }
 
 std::vector<CheckRow> check_run(Context& context, const CheckOptions& options,
                                 const std::function<void(const CheckRow&)>& report) {
   std::vector<CheckRow> rows;
-  const auto take = [&](const std::vector<CheckRow>& found) {
-    for (const CheckRow& row : found) {
-      if (row.name.find(options.filter) == std::string::npos) continue;
-      rows.push_back(row);
-      report(row);
-    }
-  };
-  for (const FunctionCheckRow& check : function_checks()) {
-    // A filter that names no row of this check spares its work; "image" never begins a function check.
-    const std::string name = check.name;
-    const std::string head = options.filter.substr(0, options.filter.find('/'));
-    if (!head.empty() && name.find(head) == std::string::npos) continue;
+  for (const Check& check : all_checks()) {
+    if (check.name.find(options.filter) == std::string::npos) continue;
+    interrupt_check();
+    const CheckCompare compare = check.prepare(options.size);
     for (const int lanes : options.lanes) {
       interrupt_check();
-      take(check.run(context, lanes, options.size * options.size));
+      ErrorSum sum(check.name, lanes, check.tolerance);
+      compare(context, lanes, sum);
+      rows.push_back(sum.row());
+      report(rows.back());
     }
   }
-  for (const std::string& scene : check_scene_names())
-    if (("image/" + scene).find(options.filter) != std::string::npos)
-      take(check_image(context, scene, options.size, options.lanes));
   return rows;
 }
 

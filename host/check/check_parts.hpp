@@ -1,38 +1,38 @@
-// The checks behind check_run, and the scenes they share.
+// The checks behind check_run, and what they share: scenes, inputs, random numbers.
 #pragma once
-#include <cstring>
-
 #include "check/check.hpp"
+#include "check/probe.hpp"
 #include "scene/scene_desc.hpp"
 
 namespace brume {
 
-struct CheckScene {
+// Adds the errors of one device and lane width.
+using CheckCompare = std::function<void(Context&, int lanes, ErrorSum&)>;
+
+// One row of the table. `prepare` makes the inputs and what the reference says of them, once for all lane widths.
+struct Check {
   std::string name;
-  FlatScene flat;
+  const char* tolerance;  // a row of TOLERANCES
+  std::function<CheckCompare(int size)> prepare;
 };
 
-// Scenes that between them use every shape, light, material, phase, method, interpolation and density. Made here, not read from
-// files: `brume check` works wherever brume is installed.
+std::vector<Check> basic_checks();     // layout, rng, camera, phase, light
+std::vector<Check> material_checks();  // material, texture
+std::vector<Check> surface_checks();   // hit, occluded, surface
+std::vector<Check> medium_checks();    // cells, integral, scatter, storage, density, in_scattering
+std::vector<Check> density_checks();   // points
+std::vector<Check> image_checks();     // image
+
+// Small scenes with a bit of everything, made here and not read from files: `brume check` works wherever brume is
+// installed. What has a row in a family does not depend on being in one of them: row_scenes.hpp.
 std::vector<std::string> check_scene_names();
-FlatScene check_scene(const std::string& name, int size, int bvh_width);
+SceneDesc check_scene_desc(const std::string& name);
+PlannedScene check_scene(const std::string& name, int size, int bvh_width);
 
-// One function check: fills rows for a device, a lane width and a number of items.
-using FunctionCheck = std::vector<CheckRow> (*)(Context&, int lanes, int items);
-struct FunctionCheckRow {
-  const char* name;
-  FunctionCheck run;
-};
-const std::vector<FunctionCheckRow>& function_checks();
-
-std::vector<CheckRow> check_layout(Context&, int lanes, int items);
-std::vector<CheckRow> check_rng(Context&, int lanes, int items);
-std::vector<CheckRow> check_camera(Context&, int lanes, int items);
-std::vector<CheckRow> check_phase(Context&, int lanes, int items);
-std::vector<CheckRow> check_light(Context&, int lanes, int items);
-std::vector<CheckRow> check_texture(Context&, int lanes, int items);
-std::vector<CheckRow> check_surfaces(Context&, int lanes, int items);
-std::vector<CheckRow> check_media(Context&, int lanes, int items);
+// Image textures without a file, added to a scene: 32 x 24 random texels, repeated; and the same shown once, in other
+// units. Return the texture's index.
+int image_add(PlannedScene& scene);
+int image_add_clamped(PlannedScene& scene);
 
 // Random numbers for test inputs; same on every platform.
 class CheckRandom {
@@ -45,15 +45,8 @@ class CheckRandom {
   std::uint64_t state_ = 0x853c49e6748fea9bULL;
 };
 
-inline float bits_as_float(std::int32_t bits) {
-  float value;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
-}
-inline std::int32_t float_as_bits(float value) {
-  std::int32_t bits;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
-}
+// Inputs and outputs of probes: three floats of a vector.
+void push3(std::vector<float>& out, const dvec3& v);
+void add3(ErrorSum& sum, const float* kernel, const dvec3& reference);
 
 }  // namespace brume

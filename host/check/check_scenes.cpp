@@ -1,12 +1,11 @@
-// Small scenes for `brume check`: between them every shape, light, material, phase, method, interpolation and density that needs no
-// file. Dense fields only, so that skipping empty bricks cannot hide a wrong cell; no horizon, where a plane's distance is worth nothing in
-// single precision.
+// Small scenes for `brume check`, each a picture of several things at once. Dense fields only, so that skipping empty
+// bricks cannot hide a wrong cell; no horizon, where a plane's distance is worth nothing in single precision.
 #include <cmath>
 #include <glm/geometric.hpp>
 
 #include "base/error.hpp"
 #include "check/check_parts.hpp"
-#include "flat/flatten.hpp"
+#include "check/row_scenes.hpp"
 #include "scene/scene_reader.hpp"
 
 namespace brume {
@@ -18,7 +17,7 @@ struct SceneText {
   const char* text;
 };
 
-// The first five shapes of "surfaces" stand in the order of ShapeType; check_surfaces takes them one by one.
+// The shapes of "surfaces" are taken one by one as well (row_scenes.cpp).
 constexpr SceneText SCENES[] = {
     {"surfaces", R"({
   "camera": {"eye": [0.4, 2.4, 3.8], "target": [0, -0.05, 0], "vfov": 38}, "film": {"spp": 4}, "background": [0.1, 0.15, 0.2],
@@ -189,6 +188,18 @@ constexpr SceneText SCENES[] = {
   "lights": [{"type": "point", "position": [0.4, 1.6, 0.5], "intensity": [2, 1.5, 1]}],
   "media": [{"density": {"type": "linear", "resolution": [20, 24, 20]}, "sigma_a": 0.3, "sigma_s": 3}],
   "render": {"method": "residual_ratio"}})"},
+    {"lights_chosen", R"({
+  "camera": {"eye": [1.2, 0.9, 3.4], "target": [0, 0, 0], "vfov": 40}, "background": [0.1, 0.1, 0.2],
+  "lights": [{"type": "point", "position": [0.9, 0.8, 0.4], "intensity": [2, 1, 1]},
+             {"type": "point", "position": [-0.9, 0.7, 0.8], "intensity": [1, 2, 1]},
+             {"type": "point", "position": [0.2, 1.6, -0.6], "intensity": [1, 1, 3]},
+             {"type": "spot", "position": [1, 2, 1], "direction": [-0.5, -1, -0.5], "angle": 30, "intensity": [6, 6, 5]},
+             {"type": "directional", "direction": [0.3, -1, -0.4], "irradiance": [1, 1, 1]}],
+  "materials": {"mirror": {"diffuse": [0.6, 0.5, 0.6], "reflection": 0.4}},
+  "shapes": [{"type": "sphere", "center": [-0.3, -0.2, 0], "radius": 0.5, "material": "mirror"},
+             {"type": "quad", "corner": [-2, -0.8, -2], "u": [0, 0, 4], "v": [4, 0, 0], "material": "mirror"}],
+  "media": [{"density": {"type": "perlin", "resolution": [12, 11, 12], "scale": 3}, "sigma_a": 0.2, "sigma_s": 1.5}],
+  "render": {"light_samples": 2, "max_depth": 2}})"},
     {"empty", R"({"background": [0.25, 0.5, 0.75], "film": {"spp": 5}})"},
 };
 
@@ -222,7 +233,7 @@ void torus_add(SceneDesc& desc) {
 }
 
 // Smooth normals for three quarters of the torus; the rest stays flat.
-void torus_smooth(FlatScene& scene) {
+void torus_smooth(PlannedScene& scene) {
   std::size_t index = 0;
   torus_triangles([&](int i, int j, const int(&corners)[3][2]) {
     Triangle& t = scene.triangles[index++];
@@ -235,35 +246,6 @@ void torus_smooth(FlatScene& scene) {
   });
 }
 
-Texture image_texture(const FlatScene& scene) {
-  Texture t{};
-  t.type = TEXTURE_IMAGE;
-  t.width = 32;
-  t.height = 24;
-  t.offset = static_cast<uint>(scene.texels.size() / 3);
-  t.uv_scale[0] = t.uv_scale[1] = t.gain = 1;
-  return t;
-}
-
-// Image textures without a file: 32 x 24 random texels for the first material; the same shown once and in other units for the light
-// of the last, negative where texels are below 1/8.
-void image_add(FlatScene& scene) {
-  Texture t = image_texture(scene);
-  CheckRandom random;
-  for (int i = 0; i < 3 * t.width * t.height; ++i) scene.texels.push_back(static_cast<float>(random.uniform(0, 1)));
-  scene.materials[0].texture = static_cast<int>(scene.textures.size());
-  scene.textures.push_back(t);
-  t.clamp = 1;
-  t.uv_scale[0] = 1.5F;
-  t.uv_scale[1] = -0.5F;
-  t.uv_offset[0] = -0.25F;
-  t.uv_offset[1] = 0.75F;
-  t.base = -0.0625F;
-  t.gain = 0.5F;
-  scene.materials[2].emission_texture = static_cast<int>(scene.textures.size());
-  scene.textures.push_back(t);
-}
-
 }  // namespace
 
 std::vector<std::string> check_scene_names() {
@@ -272,18 +254,25 @@ std::vector<std::string> check_scene_names() {
   return names;
 }
 
-FlatScene check_scene(const std::string& name, int size, int bvh_width) {
+SceneDesc check_scene_desc(const std::string& name) {
   for (const SceneText& scene : SCENES) {
     if (name != scene.name) continue;
     SceneDesc desc = scene_read_text(scene.text, name + ".json", {});
-    desc.film.size = {size, size};
     if (name == "mesh") torus_add(desc);
-    FlatScene flat = flatten(desc, {bvh_width, {}});
-    if (name == "mesh") torus_smooth(flat);
-    if (name == "surfaces") image_add(flat);
-    return flat;
+    return desc;
   }
   throw InputError("no check scene is called '" + name + "'");
+}
+
+// "surfaces" has an image for the first material, another for the light of the last.
+PlannedScene check_scene(const std::string& name, int size, int bvh_width) {
+  PlannedScene scene = row_scene(check_scene_desc(name), name, size, bvh_width);
+  if (name == "mesh") torus_smooth(scene);
+  if (name == "surfaces") {
+    scene.materials[0].texture = image_add(scene);
+    scene.materials[2].emission_texture = image_add_clamped(scene);
+  }
+  return scene;
 }
 
 }  // namespace brume

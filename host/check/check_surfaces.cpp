@@ -1,9 +1,13 @@
 // Intersections, any-hit queries and surfaces, shape by shape.
+#include <cmath>
 #include <glm/geometric.hpp>
 
 #include "check/check_parts.hpp"
+#include "check/ray_moves.hpp"
+#include "check/row_scenes.hpp"
 #include "reference/intersect.hpp"
 #include "reference/surface.hpp"
+#include "scene/families.hpp"
 #include "shared/ray.h"
 
 namespace brume {
@@ -24,116 +28,106 @@ Rays rays_make(int count) {
     ray.origin = random.in_box(i % 4 ? 3.0 : 1.0);
     ray.dir = dvec3(glm::vec3(glm::normalize(random.in_box(1.2) - ray.origin)));
     out.rays.push_back(ray);
-    for (int k = 0; k < 3; ++k) out.packed.push_back(static_cast<float>(ray.origin[k]));
-    for (int k = 0; k < 3; ++k) out.packed.push_back(static_cast<float>(ray.dir[k]));
+    push3(out.packed, ray.origin);
+    push3(out.packed, ray.dir);
     out.packed.push_back(INFINITY);
   }
   return out;
 }
 
-// The scene with one analytic shape left, or with triangles only.
-FlatScene shape_only(FlatScene scene, int shape) {
-  if (shape < 0) {
-    scene.shapes.clear();
-  } else {
-    scene.shapes = {scene.shapes[shape]};
-    scene.triangles.clear();
-    scene.frame.triangle_count = 0;
-  }
-  scene.frame.shape_count = static_cast<int>(scene.shapes.size());
-  return scene;
-}
+using SceneMake = std::function<PlannedScene(int bvh_width)>;
 
-CheckRow check_hits(const Probe& probe, const std::string& name, const Rays& rays, std::vector<float>& hits) {
-  hits = probe.run("probe_hit", rays.packed, 7, 4);
-  ErrorSum sum("hit/" + name, probe.lanes(), "hit");
-  const reference::TriangleBounds bounds(probe.scene());
-  for (std::size_t i = 0; i < rays.rays.size(); ++i) {
-    const auto expected = reference::nearest_hit(probe.scene(), bounds, rays.rays[i]);
-    const bool same = (expected.primitive == PRIMITIVE_NONE) == (float_as_bits(hits[4 * i + 1]) == PRIMITIVE_NONE);
-    if (same) {
-      sum.add(hits[4 * i], expected.t);
-    } else {
-      sum.add_edge();
+CheckCompare hit_prepare(const SceneMake& make, int size) {
+  return [make, rays = rays_make(size * size)](Context& context, int lanes, ErrorSum& sum) {
+    const PlannedScene scene = make(std::max(lanes, 4));
+    const std::vector<float> hits = Probe(context, scene, lanes).run("probe_hit", rays.packed, 7, 4);
+    const reference::TriangleBounds bounds(scene);
+    for (std::size_t i = 0; i < rays.rays.size(); ++i) {
+      const auto expected = reference::nearest_hit(scene, bounds, rays.rays[i]);
+      const bool same = (expected.primitive == PRIMITIVE_NONE) == (float_as_bits(hits[4 * i + 1]) == PRIMITIVE_NONE);
+      if (same) {
+        add_or_edge(sum, {hits[4 * i]}, {expected.t}, [&](int move) -> std::vector<double> {
+          return {reference::nearest_hit(scene, bounds, ray_moved(rays.rays[i], move)).t};
+        });
+      } else {
+        sum.add_edge();
+      }
     }
-  }
-  CheckRow row = sum.row();
-  row.items = rays.rays.size();
-  return row;
+    sum.set_items(rays.rays.size());
+  };
 }
 
-CheckRow check_occlusion(const Probe& probe, const std::string& name, Rays rays) {
+CheckCompare occluded_prepare(const SceneMake& make, int size) {
+  Rays rays = rays_make(size * size);
   CheckRandom random;
   for (std::size_t i = 0; i < rays.rays.size(); ++i)
     rays.packed[7 * i + 6] = static_cast<float>(random.uniform(0.1, 5));
-  const std::vector<float> found = probe.run("probe_occluded", rays.packed, 7, 1);
-  ErrorSum sum("occluded/" + name, probe.lanes(), "hit");
-  const reference::TriangleBounds bounds(probe.scene());
-  for (std::size_t i = 0; i < rays.rays.size(); ++i) {
-    const bool expected = reference::occluded(probe.scene(), bounds, rays.rays[i], rays.packed[7 * i + 6]);
-    if (expected == (found[i] != 0)) {
-      sum.add(found[i], expected);
-    } else {
-      sum.add_edge();
+  return [make, rays](Context& context, int lanes, ErrorSum& sum) {
+    const PlannedScene scene = make(std::max(lanes, 4));
+    const std::vector<float> found = Probe(context, scene, lanes).run("probe_occluded", rays.packed, 7, 1);
+    const reference::TriangleBounds bounds(scene);
+    for (std::size_t i = 0; i < rays.rays.size(); ++i) {
+      const bool expected = reference::occluded(scene, bounds, rays.rays[i], rays.packed[7 * i + 6]);
+      if (expected == (found[i] != 0)) {
+        sum.add(found[i], expected);
+      } else {
+        sum.add_edge();
+      }
     }
+    sum.set_items(rays.rays.size());
+  };
+}
+
+void surface_add(ErrorSum& sum, const float* found, const reference::SurfaceD& expected) {
+  if (glm::dot(expected.geometric_normal, dvec3(found[0], found[1], found[2])) < 0.5) {
+    sum.add_edge();  // the other side of an edge of a box or a cylinder, or a ray along the surface
+    return;
   }
-  CheckRow row = sum.row();
-  row.items = rays.rays.size();
-  return row;
+  add3(sum, found, expected.geometric_normal);
+  add3(sum, found + 3, expected.normal);
+  for (int k = 0; k < 2; ++k) {
+    const double off = found[6 + k] - expected.uv[k];
+    sum.add(found[6 + k] - (std::abs(off) > 0.5 ? std::round(off) : 0.0), expected.uv[k]);  // the seam of u
+  }
 }
 
 // Normals and uv at the kernel's own hits.
-CheckRow check_surface(const Probe& probe, const std::string& name, const Rays& rays, const std::vector<float>& hits) {
-  std::vector<float> in;
-  std::vector<reference::SurfaceD> expected;
-  for (std::size_t i = 0; i < rays.rays.size(); ++i) {
-    const float* hit = &hits[4 * i];
-    if (float_as_bits(hit[1]) == PRIMITIVE_NONE) continue;
-    in.insert(in.end(), rays.packed.begin() + 7 * i, rays.packed.begin() + 7 * i + 6);
-    in.insert(in.end(), hit, hit + 4);
-    expected.push_back(
-        reference::surface_at(probe.scene(), rays.rays[i], {hit[0], float_as_bits(hit[1]), hit[2], hit[3]}));
-  }
-  const std::vector<float> found = probe.run("probe_surface", in, 10, 8);
-  ErrorSum sum("surface/" + name, probe.lanes(), "surface");
-  for (std::size_t i = 0; i < expected.size(); ++i) {
-    const float* f = &found[8 * i];
-    const reference::SurfaceD& e = expected[i];
-    if (glm::dot(e.geometric_normal, dvec3(f[0], f[1], f[2])) < 0.5) {
-      sum.add_edge();  // the other side of an edge of a box or a cylinder, or a ray along the surface
-      continue;
+CheckCompare surface_prepare(const SceneMake& make, int size) {
+  return [make, rays = rays_make(size * size)](Context& context, int lanes, ErrorSum& sum) {
+    const PlannedScene scene = make(std::max(lanes, 4));
+    const Probe probe(context, scene, lanes);
+    const std::vector<float> hits = probe.run("probe_hit", rays.packed, 7, 4);
+    std::vector<float> in;
+    std::vector<reference::SurfaceD> expected;
+    for (std::size_t i = 0; i < rays.rays.size(); ++i) {
+      const float* hit = &hits[4 * i];
+      if (float_as_bits(hit[1]) == PRIMITIVE_NONE) continue;
+      in.insert(in.end(), rays.packed.begin() + 7 * i, rays.packed.begin() + 7 * i + 6);
+      in.insert(in.end(), hit, hit + 4);
+      expected.push_back(reference::surface_at(scene, rays.rays[i], {hit[0], float_as_bits(hit[1]), hit[2], hit[3]}));
     }
-    for (int k = 0; k < 3; ++k) {
-      sum.add(f[k], e.geometric_normal[k]);
-      sum.add(f[3 + k], e.normal[k]);
-    }
-    for (int k = 0; k < 2; ++k) {
-      const double turn = std::abs(f[6 + k] - e.uv[k]) > 0.5 ? std::round(f[6 + k] - e.uv[k]) : 0.0;  // the seam of u
-      sum.add(f[6 + k] - turn, e.uv[k]);
-    }
-  }
-  return sum.row();
+    if (expected.empty()) return;  // no items: missed
+    const std::vector<float> found = probe.run("probe_surface", in, 10, 8);
+    for (std::size_t i = 0; i < expected.size(); ++i) surface_add(sum, &found[8 * i], expected[i]);
+  };
 }
 
 }  // namespace
 
-std::vector<CheckRow> check_surfaces(Context& context, int lanes, int items) {
-  std::vector<CheckRow> rows;
-  const FlatScene surfaces = check_scene("surfaces", 8, std::max(lanes, 4));
-  const FlatScene mesh = check_scene("mesh", 8, std::max(lanes, 4));
-  const char* names[] = {"sphere", "cylinder", "plane", "quad", "box"};
-  static_assert(std::size(names) == SHAPE_COUNT);
-  const Rays rays = rays_make(items);
-  for (int shape = 0; shape <= SHAPE_COUNT; ++shape) {
-    const FlatScene scene = shape < SHAPE_COUNT ? shape_only(surfaces, shape) : shape_only(mesh, -1);
-    const std::string name = shape < SHAPE_COUNT ? names[shape] : "triangles";
-    const Probe probe(context, scene, lanes);
-    std::vector<float> hits;
-    rows.push_back(check_hits(probe, name, rays, hits));
-    rows.push_back(check_occlusion(probe, name, rays));
-    rows.push_back(check_surface(probe, name, rays, hits));
+std::vector<Check> surface_checks() {
+  std::vector<std::pair<std::string, SceneMake>> scenes;
+  for (const FamilyRow& row : shape_family())
+    if (row.id < SHAPE_COUNT)
+      scenes.emplace_back(row.name,
+                          [type = row.id](int width) { return row_scene(shape_desc(type), "shape", 8, width); });
+  scenes.emplace_back("triangles", [](int width) { return check_scene("mesh", 8, width); });
+  std::vector<Check> checks;
+  for (const auto& [name, make] : scenes) {
+    checks.push_back({"hit/" + name, "hit", [make = make](int size) { return hit_prepare(make, size); }});
+    checks.push_back({"occluded/" + name, "hit", [make = make](int size) { return occluded_prepare(make, size); }});
+    checks.push_back({"surface/" + name, "surface", [make = make](int size) { return surface_prepare(make, size); }});
   }
-  return rows;
+  return checks;
 }
 
 }  // namespace brume

@@ -13,7 +13,27 @@ namespace {
 std::string megabytes(std::size_t bytes) { return std::to_string((bytes + 1048575) / 1048576) + " MiB"; }
 
 // Above this share of the device's memory the system starts to swap or kill: PoCL accepts more and fails later.
+constexpr std::size_t LEAST_BYTES = 64;  // of a buffer
 constexpr double MEMORY_SHARE = 0.8;
+
+// What a buffer gives back when it dies.
+struct Lent {
+  std::shared_ptr<std::atomic<std::size_t>> allocated;
+  std::size_t bytes;
+};
+
+void CL_CALLBACK give_back(cl_mem, void* data) {
+  const std::unique_ptr<Lent> lent(static_cast<Lent*>(data));
+  *lent->allocated -= lent->bytes;
+}
+
+// Counts the buffer until the driver frees it.
+void count(cl::Buffer& buffer, const std::shared_ptr<std::atomic<std::size_t>>& allocated, std::size_t bytes) {
+  auto lent = std::make_unique<Lent>(Lent{allocated, bytes});
+  buffer.setDestructorCallback(give_back, lent.get());
+  lent.release();  // now the driver's, to be handed to give_back
+  *allocated += bytes;
+}
 
 }  // namespace
 
@@ -41,21 +61,26 @@ std::string cl_error_name(int code) {
 }
 
 Context::Context(const DeviceInfo& device)
-    : device_(device), context_(device.device), queue_(context_, device.device, CL_QUEUE_PROFILING_ENABLE) {}
+    : device_(device),
+      context_(device.device),
+      queue_(context_, device.device, CL_QUEUE_PROFILING_ENABLE),
+      allocated_(std::make_shared<std::atomic<std::size_t>>(0)) {}
 
-cl::Buffer Context::buffer(const char* what, std::size_t bytes, const void* data) {
-  const std::size_t size = std::max<std::size_t>(bytes, 16);
+cl::Buffer Context::buffer(const char* what, std::size_t bytes, const void* data, bool in_place) {
+  const std::size_t size = std::max<std::size_t>(bytes, LEAST_BYTES);
   if (size > device_.max_buffer_bytes)
     throw RuntimeError(std::string(what) + ": " + megabytes(size) + " in one buffer are needed; " + device_.title() +
                        " allows " + megabytes(device_.max_buffer_bytes));
   const auto allowed = static_cast<std::size_t>(MEMORY_SHARE * static_cast<double>(device_.memory_bytes));
-  if (allocated_ + size > allowed)
-    throw RuntimeError(std::string(what) + " bring the scene to " + megabytes(allocated_ + size) + "; " +
+  if (*allocated_ + size > allowed)
+    throw RuntimeError(std::string(what) + " bring the scene to " + megabytes(*allocated_ + size) + "; " +
                        device_.title() + " has room for " + megabytes(allowed));
   try {
-    cl::Buffer result(context_, CL_MEM_READ_WRITE, size);
-    if (bytes > 0 && data != nullptr) queue_.enqueueWriteBuffer(result, CL_TRUE, 0, bytes, data);
-    allocated_ += size;
+    in_place = in_place && bytes == size && data != nullptr;
+    cl::Buffer result(context_, in_place ? CL_MEM_READ_ONLY | CL_MEM_USE_HOST_PTR : CL_MEM_READ_WRITE, size,
+                      in_place ? const_cast<void*>(data) : nullptr);
+    if (!in_place && bytes > 0 && data != nullptr) queue_.enqueueWriteBuffer(result, CL_TRUE, 0, bytes, data);
+    count(result, allocated_, size);
     return result;
   } catch (const cl::Error& error) {
     throw RuntimeError(std::string(what) + ": allocating " + megabytes(size) + " on " + device_.title() +

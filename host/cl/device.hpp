@@ -25,8 +25,8 @@ struct DeviceInfo {
 // Every device of every platform; platforms that fail or are empty are passed over.
 std::vector<DeviceInfo> device_list();
 
-// `wanted`: an index, or part of a device's or platform's name (case ignored); empty: PoCL's CPU, else the first device.
-// Throws InputError with the list for an unknown one, RuntimeError when there is no device at all.
+// `wanted`: an index, or part of a device's or platform's name (case ignored); empty: PoCL's CPU, else the first
+// device. Throws InputError with the list for an unknown one, RuntimeError when there is no device at all.
 DeviceInfo device_choose(const std::string& wanted);
 
 }  // namespace brume

@@ -1,6 +1,6 @@
-// Drivers that end the process: PoCL aborts, or dies by SIGBUS or SIGSEGV, where its kernel cache is damaged or its disk full, with no
-// call that would say so beforehand. brume then starts once more with a fresh cache beside the damaged one, and if that ends
-// the same way, says what to delete and exits with 1.
+// Drivers that end the process: PoCL aborts, or dies by SIGBUS or SIGSEGV, where its kernel cache is damaged or its
+// disk full, with no call that would say so beforehand. brume then starts once more with a fresh cache beside the
+// damaged one, and if that ends the same way, says what to delete and exits with 1.
 #pragma once
 #include <string>
 
@@ -18,8 +18,8 @@ class DriverGuard {
 // The same for a failure that is no signal, after a guard: starts again, else throws RuntimeError.
 [[noreturn]] void driver_failed(const std::string& what);
 
-// Before the first call of a driver: PoCL would abort over an empty POCL_CACHE_DIR, which is none, and fail where its cache cannot be
-// written, which then is kept in the temporary folder, with a note.
+// Before the first call of a driver: PoCL would abort over an empty POCL_CACHE_DIR, which is none, and fail where its
+// cache cannot be written, which then is kept in the temporary folder, with a note.
 void driver_environment();
 
 // Where PoCL keeps compiled kernels, and what is wrong with that: "" where it can be written.

@@ -1,5 +1,5 @@
-// The text of every file of kernels/, compiled into the program (cmake/embed_kernels.cmake): brume runs without its source
-// folder. Not the loader: includes are resolved in program.hpp.
+// The text of every file of kernels/, compiled into the program (cmake/embed_kernels.cmake): brume runs without its
+// source folder. Not the loader: includes are resolved in program.hpp.
 #pragma once
 #include <string_view>
 #include <vector>
@@ -7,7 +7,7 @@
 namespace brume {
 
 struct KernelFile {
-  std::string_view path;  // relative to kernels/, e.g. "lib/dda.cl"
+  std::string_view path;  // relative to kernels/, e.g. "density/dda.cl"
   std::string_view text;
 };
 

@@ -46,7 +46,8 @@ void source_append(std::string_view text, std::string_view name, std::set<std::s
   }
 }
 
-// Into a file of its own: other builds fail too, and the temporary folder is everybody's. Says where, or that it could not.
+// Into a file of its own: other builds fail too, and the temporary folder is everybody's. Says where, or that it could
+// not.
 std::string source_keep(const std::string& source) {
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
@@ -80,6 +81,8 @@ cl::Kernel kernel_create(const cl::Program& program, const char* name) {
 }
 
 cl::Program program_build(const Context& context, const std::string& source, const std::string& options) {
+  const auto known = context.programs().find({source, options});
+  if (known != context.programs().end()) return known->second;
   const DriverGuard guard;
   cl::Program program(context.cl(), source);
   try {
@@ -91,7 +94,7 @@ cl::Program program_build(const Context& context, const std::string& source, con
                        ": " + cl_error_name(error.err()) + "\n" + log + "\noptions: " + options + "\n" +
                        source_keep(source));
   }
-  return program;
+  return context.programs()[{source, options}] = program;
 }
 
 }  // namespace brume

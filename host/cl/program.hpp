@@ -8,8 +8,8 @@
 
 namespace brume {
 
-// The text of kernels/`path` with every quoted include inlined once, #line directives naming the original places. Resolved
-// here and not by the driver, so that every OpenCL implementation sees one and the same string.
+// The text of kernels/`path` with every quoted include inlined once, #line directives naming the original places.
+// Resolved here and not by the driver, so that every OpenCL implementation sees one and the same string.
 std::string kernel_source(std::string_view path);
 // The same for a text that is not one of the embedded files (tests' kernels); `name` is what #line says.
 std::string kernel_source_text(std::string_view text, std::string_view name);
@@ -17,7 +17,8 @@ std::string kernel_source_text(std::string_view text, std::string_view name);
 // A kernel of a program that has it: where the driver cannot find it, its cache is damaged (driver_failed).
 cl::Kernel kernel_create(const cl::Program& program, const char* name);
 
-// Builds the program. On failure throws RuntimeError with the build log and keeps the source in the temporary folder.
+// Builds the program, once in a context. On failure throws RuntimeError with the build log and keeps the source in the
+// temporary folder.
 cl::Program program_build(const Context& context, const std::string& source, const std::string& options);
 
 }  // namespace brume

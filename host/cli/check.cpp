@@ -9,8 +9,8 @@
 #include "base/error.hpp"
 #include "base/streams.hpp"
 #include "check/check.hpp"
-#include "check/stability.hpp"
 #include "cli/command.hpp"
+#include "stability/stability.hpp"
 
 namespace brume {
 
@@ -35,7 +35,8 @@ void print_reasons() {
   for (const Tolerance& t : TOLERANCES)
     std::printf("  %-9.*s %7.0e, floor %-5g %.*s\n", int(t.name.size()), t.name.data(), t.limit, t.floor,
                 int(t.reason.size()), t.reason.data());
-  std::printf("  edges: pixels or rays that see another surface or shadow; allowed %g of a row\n", EDGE_SHARE);
+  std::printf("  edges: rays with another surface or shadow, or that hang on their last digits; allowed %g of a row\n",
+              EDGE_SHARE);
 }
 
 nlohmann::ordered_json rows_json(const DeviceInfo& device, const std::vector<CheckRow>& rows) {

@@ -17,6 +17,7 @@ void command_check(CLI::App& app, Command& run);
 void command_devices(CLI::App& app, Command& run);
 void command_info(CLI::App& app, Command& run);
 void command_compare(CLI::App& app, Command& run);
+void command_merge(CLI::App& app, Command& run);
 void command_bench(CLI::App& app, Command& run);  // in bench/, above all rooms
 
 }  // namespace brume

@@ -10,6 +10,7 @@
 #include "base/text_printable.hpp"
 #include "cli/command.hpp"
 #include "cli/file_kind.hpp"
+#include "flat/bricks.hpp"
 #include "flat/flatten.hpp"
 #include "mesh/mesh.hpp"
 #include "scene/families.hpp"
@@ -74,25 +75,28 @@ Json info_mesh(const Path& file) {
 }
 
 Json medium_info(const FlatScene& flat, const Medium& m) {
-  std::size_t stored = 0, empty = 0, constant = 0;
+  std::size_t stored = 0, constant = 0;
   const std::size_t count = std::size_t(m.brick_nx) * m.brick_ny * m.brick_nz;
-  for (std::size_t i = m.brick_offset; i < m.brick_offset + count; ++i) {
-    empty += flat.bricks[i] == BRICK_EMPTY;
-    constant += flat.bricks[i] != BRICK_EMPTY && flat.brick_ranges[2 * i] == flat.brick_ranges[2 * i + 1];
-    stored += flat.bricks[i] != BRICK_EMPTY;
-  }
+  for (glm::ivec3 b(0); b.z < m.brick_nz; ++b.z)
+    for (b.y = 0; b.y < m.brick_ny; ++b.y)
+      for (b.x = 0; b.x < m.brick_nx; ++b.x) {
+        const std::int32_t entry = brick_entry(flat, m, b);
+        if (entry == BRICK_EMPTY) continue;
+        ++stored;
+        constant += flat.brick_ranges[2 * std::size_t(entry)] == flat.brick_ranges[2 * std::size_t(entry) + 1];
+      }
   return {{"method", family_name(method_family(), m.method)},
           {"interpolation", family_name(interpolation_family(), m.interpolation)},
           {"cells", {m.cells_x, m.cells_y, m.cells_z}},
           {"step", m.step * flat.unit},
-          {"bricks", {{"all", count}, {"stored", stored}, {"empty", empty}, {"constant", constant}}}};
+          {"bricks", {{"all", count}, {"stored", stored}, {"empty", count - stored}, {"constant", constant}}}};
 }
 
 Json info_scene(const Path& file) {
   const SceneDesc desc = scene_read(file, {});
-  const FlatScene flat = flatten(desc, {});
+  const PlannedScene flat = flatten(desc, {});
   Json media = Json::array();
-  for (const Medium& m : flat.media) media.push_back(medium_info(flat, m));
+  for (std::size_t i = 0; i < flat.media.size(); ++i) media.push_back(medium_info(flat, flat.medium(i)));
   return {{"file", file.string()},
           {"kind", "scene"},
           {"size", {desc.film.size.x, desc.film.size.y}},
@@ -104,15 +108,15 @@ Json info_scene(const Path& file) {
           {"triangles", flat.triangles.size()},
           {"media", media},
           {"bytes",
-           {{"voxels", flat.packed.empty() ? flat.voxels.size() * sizeof(float) : flat.packed.size()},
+           {{"voxels", flat.stored ? flat.stored->packed.size() : flat.voxels.size() * sizeof(float)},
             {"brick_ranges", flat.brick_ranges.size() * sizeof(float)},
             {"brick_index", flat.bricks.size() * sizeof(std::int32_t)},
             {"textures", flat.texels.size() * sizeof(float)},
             {"triangles", flat.triangles.size() * sizeof(Triangle)},
             {"bvh", (flat.bvh_nodes.size() + flat.bvh_blocks.size()) * sizeof(float)}}},
           {"storage", family_name(storage_family(), flat.storage)},
-          {"storage_error", flat.storage_error},
-          {"notes", flat.notes}};
+          {"storage_error", flat.stored ? flat.stored->error : 0},
+          {"notes", flat.all_notes()}};
 }
 
 Json (*describer(FileKind kind))(const Path&) {

@@ -1,8 +1,10 @@
-// brume render: scene (or bare volume, or mesh) → pictures. Reads as the pipeline: description → flat → device → film → images.
+// brume render: scene (or bare volume, or mesh) → pictures. Reads as the pipeline: description → flat → device → film →
+// images.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
@@ -16,10 +18,13 @@
 #include "cli/output_files.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_arguments.hpp"
+#include "cli/render_part.hpp"
 #include "cli/render_report.hpp"
+#include "film/film_partial.hpp"
 #include "film/film_write.hpp"
 #include "flat/bare_scene.hpp"
 #include "flat/flatten.hpp"
+#include "image/image_format.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene_reader.hpp"
 #include "scene/scene_writer.hpp"
@@ -40,10 +45,10 @@ ivec2 film_size(const RenderArguments& arguments) {
   return scene_read_text("{}", arguments.scene, film).film.size;
 }
 
-SceneDesc describe(const RenderArguments& arguments) {
+SceneDesc describe(const RenderArguments& arguments, LoadedScene& loaded) {
   if (file_kind(arguments.scene) == FileKind::SCENE) return scene_read(arguments.scene, arguments.all_overrides());
   std::string report;
-  const SceneDesc bare = bare_scene(arguments.scene, report, film_size(arguments));
+  const SceneDesc bare = bare_scene(arguments.scene, loaded, report, film_size(arguments));
   say(arguments, report);
   const std::filesystem::path folder = arguments.scene.parent_path();
   SceneDesc desc = scene_read_text(scene_write(bare, folder), folder / (arguments.scene.filename().string() + ".json"),
@@ -64,9 +69,11 @@ void attempt(std::string& failures, const std::filesystem::path& file, Write wri
   }
 }
 
-void write_outputs(const RenderArguments& arguments, const SceneDesc& desc, const FlatScene& flat, const Film& film,
-                   const Context& context, const RenderStats& stats, std::string& failures) {
+// cover: where the picture is one in part, what of it there is.
+void write_outputs(const RenderArguments& arguments, const SceneDesc& desc, const PlannedScene& flat, const Film& film,
+                   const SampleCover* cover, const Context& context, const RenderStats& stats, std::string& failures) {
   FilmWriteOptions options;
+  options.cover = cover;
   options.exposure = desc.film.exposure;
   options.aovs = arguments.aovs();
   options.alpha = arguments.alpha;
@@ -75,6 +82,11 @@ void write_outputs(const RenderArguments& arguments, const SceneDesc& desc, cons
       arguments.trim ? film.cut({frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1}) : Film({0, 0});
   if (!arguments.trim) options.window = {frame.crop_x0, frame.crop_y0, frame.crop_x1, frame.crop_y1};
   options.metadata = render_metadata(desc, flat, context.device(), stats);
+  if (cover) {
+    options.window = cover->window(film.size().x);
+    for (const auto& entry : part_metadata(desc, flat))
+      if (!metadata_find(options.metadata, entry.first)) options.metadata.push_back(entry);
+  }
   for (const std::filesystem::path& output : arguments.outputs)
     attempt(failures, output, [&] {
       film_write(arguments.trim ? trimmed : film, output, options);
@@ -91,19 +103,39 @@ void check_outputs(const RenderArguments& arguments) {
   if (!arguments.stats.empty()) AtomicFile(arguments.stats);
 }
 
+// The first output that can hold a picture in part; empty where none can.
+std::filesystem::path part_output(const RenderArguments& arguments, ivec2 size) {
+  if (arguments.trim || !part_size_problem(size, film_channels(arguments.aovs(), arguments.alpha)).empty()) return {};
+  for (const std::filesystem::path& output : arguments.outputs)
+    if (image_format_of_output(output).output == ImageOutput::LINEAR) return output;
+  return {};
+}
+
+void check_part(const RenderArguments& arguments, ivec2 size) {
+  if (!arguments.partial || !part_output(arguments, size).empty()) return;
+  if (arguments.trim) throw InputError("--partial: a picture cut out by --trim cannot be joined to others");
+  const std::string problem = part_size_problem(size, film_channels(arguments.aovs(), arguments.alpha));
+  throw InputError("--partial: " + (problem.empty() ? "expected an output of type .exr" : problem));
+}
+
+std::string resume_hint(const std::filesystem::path& file) {
+  return file.empty() ? "" : "; the same command with --resume " + file.string() + " goes on";
+}
+
 // With progress, until Ctrl-C; where the device does not answer that, what is done is written from outside.
-bool render_film(const RenderArguments& arguments, Renderer& renderer, Film& film, const std::function<void()>& write) {
+bool render_film(const RenderArguments& arguments, Renderer& renderer, const WorkList& work, Film& film,
+                 const std::function<void()>& write) {
+  if (work.empty()) return true;
   ProgressBar bar(arguments.quiet);
   const InterruptRescue rescue([&] {
     if (renderer.stats().primary_rays == 0) return;
     try {
-      renderer.finish(film);
       write();
     } catch (const std::exception& error) {
       say(arguments, error.what());
     }
   });
-  const bool complete = renderer.render(film, [&](double share) {
+  const bool complete = renderer.render(film, work, [&](double share) {
     bar.show(share);
     return !interrupt_requested();
   });
@@ -118,40 +150,55 @@ int render_run(RenderArguments arguments) {
   if (arguments.quiet) notes_mute();
   check_outputs(arguments);
   const std::string input = arguments.scene.string();
-  const SceneDesc desc = with_memory(input, [&] { return describe(arguments); });
+  LoadedScene loaded;
+  loaded.needed_again = false;  // one picture needs the files no longer
+  const SceneDesc desc = with_memory(input, [&] { return describe(arguments, loaded); });
+  check_part(arguments, desc.film.size);
   if (!arguments.save_scene.empty())
     atomic_write(arguments.save_scene, scene_write(desc, arguments.save_scene.parent_path()));
 
   const DeviceInfo device = device_choose(arguments.device);
   const int lanes = lanes_choose(device, arguments.lanes);
-  const FlatScene flat = with_memory(input, [&] {
-    return flatten(desc, {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha});
+  const PlannedScene flat = with_memory(input, [&] {
+    return flatten(desc, loaded, {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha});
   });
-  std::vector<std::string> notes = flat.notes;
+  loaded = {};  // one picture needs the files no longer
+  std::vector<std::string> notes = flat.all_notes();
   for (const std::string& note : notes) say(arguments, "note: " + note);
   RunTimes times;
   times.load_s = lap.lap();
 
+  FilmPart part =
+      with_memory("a film of " + size_text(desc.film.size), [&] { return part_begin(arguments.resume, desc, flat); });
+  Film& film = part.film;
+  const WorkList work = work_missing(flat.frame, samples_parse(arguments.samples, desc.film.spp), part.cover);
+  const std::filesystem::path part_file = part_output(arguments, desc.film.size);
+
   Context context(device);
   Renderer renderer(context, flat, {lanes, arguments.generic, 0});
-  Film film = with_memory("a film of " + size_text(desc.film.size), [&] { return Film(desc.film.size); });
-  const auto write = [&] {
+  const auto write = [&](bool complete) {
     const std::size_t told = notes.size();
     if (renderer.stats().dropped_rays > 0) notes.push_back(dropped_note(renderer.stats()));
     if (renderer.stats().invalid_samples > 0) notes.push_back(invalid_note(renderer.stats()));
     for (std::size_t i = told; i < notes.size(); ++i) say(arguments, "note: " + notes[i]);
     std::string failures;
-    write_outputs(arguments, desc, flat, film, context, renderer.stats(), failures);
+    std::optional<SampleCover> cover;
+    if (!part_file.empty() && (arguments.in_part() || !complete)) cover = cover_after(part.cover, work, film);
+    write_outputs(arguments, desc, flat, film, cover ? &*cover : nullptr, context, renderer.stats(), failures);
     times.total_s = total.seconds();
     if (!arguments.stats.empty())
       attempt(failures, arguments.stats,
               [&] { atomic_write(arguments.stats, render_stats_json(desc, flat, device, renderer.stats(), times)); });
     if (!failures.empty()) throw RuntimeError(failures);
   };
-  const bool complete = render_film(arguments, renderer, film, write);
-  write();
+  const bool complete = render_film(arguments, renderer, work, film, [&] {
+    write(false);
+    std::fprintf(stderr, "brume: %s\n",
+                 text_printable("what was done has been written" + resume_hint(part_file)).c_str());
+  });
+  write(complete);
   say(arguments, render_summary(desc, flat, device, renderer.stats(), times));
-  if (!complete) throw Interrupted("interrupted; what was done has been written");
+  if (!complete) throw Interrupted("interrupted; what was done has been written" + resume_hint(part_file));
   return arguments.strict && !notes.empty() ? 1 : 0;
 }
 

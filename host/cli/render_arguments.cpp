@@ -40,6 +40,10 @@ void RenderArguments::add_options(CLI::App& command) {
   command.add_option("--spp", spp, "Samples per pixel");
   command.add_option("--seed", seed, "Seed of the random numbers");
   command.add_option("--crop", crop, "Render only pixels X0,Y0 (inclusive) to X1,Y1 (exclusive)");
+  command.add_option("--samples", samples, "Render only samples A-B (inclusive, from 0) of each pixel");
+  command.add_option("--resume", resume, "Go on from a partial picture (.exr): render only what it lacks");
+  command.add_flag("--partial", partial,
+                   "Keep in .exr what brume merge and --resume need, as --crop, --samples and Ctrl-C do");
   command.add_flag("--trim", trim, "With --crop: those pixels are the whole picture");
   command.add_flag("--alpha", alpha, "Without the background, with a channel A (.exr: multiplied in; .png: not)");
   command.add_option("--exposure", exposure, "Stops for the display formats");
@@ -88,9 +92,9 @@ std::array<int, 4> RenderArguments::crop_box() const {
   return box;
 }
 
-std::vector<Aov> RenderArguments::aovs() const {
+std::vector<Aov> aovs_parse(const std::string& text) {
   std::vector<Aov> list;
-  std::istringstream names(aov);
+  std::istringstream names(text);
   for (std::string name; std::getline(names, name, ',');) {
     const FamilyRow* row = family_find(aov_family(), name);
     if (!row) throw InputError("--aov: unknown plane '" + name + "'; known: " + family_names(aov_family()));

@@ -14,17 +14,20 @@ class App;
 
 namespace brume {
 
+// Comma-separated names, as --aov takes them.
+std::vector<Aov> aovs_parse(const std::string& text);
+
 struct RenderArguments {
   std::filesystem::path scene;
   std::vector<std::filesystem::path> outputs;
-  std::string size, crop, method, shadow, device, aov;
+  std::string size, crop, samples, method, shadow, device, aov;
   std::optional<double> exposure, step, max_error;
   std::optional<int> spp, seed;
   int lanes = 0;  // 0: the device's choice
   bool generic = false, quiet = false, strict = false;
-  bool trim = false, alpha = false;
+  bool trim = false, alpha = false, partial = false;
   std::vector<std::string> overrides;
-  std::filesystem::path stats, save_scene;
+  std::filesystem::path stats, save_scene, resume;
 
   void add_options(CLI::App& command);
   // Without -o the picture is NAME.png in the current folder.
@@ -33,7 +36,9 @@ struct RenderArguments {
   // --set and the options that stand for a scene value, as "/json/pointer=VALUE".
   std::vector<std::string> all_overrides() const;
   std::array<int, 4> crop_box() const;  // all 0: the whole film
-  std::vector<Aov> aovs() const;
+  std::vector<Aov> aovs() const { return aovs_parse(aov); }
+  // That the render is asked for in part, so that an .exr is to hold what others are joined to.
+  bool in_part() const { return !trim && (partial || !crop.empty() || !samples.empty()); }
 };
 
 }  // namespace brume

@@ -1,6 +1,7 @@
 // See render_report.hpp. The JSON keys are those of the design and stay as they are.
 #include "cli/render_report.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -13,13 +14,32 @@ namespace brume {
 
 namespace {
 
-std::string method_name(const FlatScene& flat) {
-  return flat.media.empty() ? "none" : std::string(family_name(method_family(), flat.method));
+std::string method_of(const MediumWalk& walk) { return std::string(family_name(method_family(), walk.method)); }
+
+// That of all media, or of each: "dda_gauss2 (/media/0), homogeneous (/media/1)".
+std::string method_names(const PlannedScene& flat) {
+  if (flat.walks.empty()) return "none";
+  const auto same = [&](const MediumWalk& walk) { return walk.method == flat.walks.front().method; };
+  if (std::all_of(flat.walks.begin(), flat.walks.end(), same)) return method_of(flat.walks.front());
+  std::string names;
+  for (std::size_t i = 0; i < flat.walks.size(); ++i)
+    names += (i > 0 ? ", " : "") + method_of(flat.walks[i]) + " (" + flat.sizes[i].place + ")";
+  return names;
+}
+
+// The method of each medium, and its step in world units where it has one.
+nlohmann::ordered_json media_json(const PlannedScene& flat) {
+  nlohmann::ordered_json media = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < flat.walks.size(); ++i) {
+    media.push_back({{"place", flat.sizes[i].place}, {"method", method_of(flat.walks[i])}});
+    if (method_has_step(flat.walks[i].method)) media.back()["step"] = flat.walks[i].step * flat.unit;
+  }
+  return media;
 }
 
 }  // namespace
 
-std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
+std::string render_stats_json(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,
                               const RenderStats& stats, const RunTimes& times) {
   nlohmann::ordered_json passes = nlohmann::ordered_json::array();
   for (const PassStats& pass : stats.passes)
@@ -29,8 +49,9 @@ std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, cons
       {"version", VERSION},
       {"device", device.title()},
       {"lanes", stats.lanes},
-      {"method", method_name(flat)},
+      {"method", method_names(flat)},
       {"step", desc.render.step},
+      {"media", media_json(flat)},
       {"size", {desc.film.size.x, desc.film.size.y}},
       {"spp", desc.film.spp},
       {"kernel_build_s", stats.kernel_build_s},
@@ -53,9 +74,9 @@ std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, cons
   return json_line(json, 2) + "\n";
 }
 
-ImageMetadata render_metadata(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
+ImageMetadata render_metadata(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,
                               const RenderStats& stats) {
-  return {{"scene", desc.file.string()}, {"method", method_name(flat)},          {"device", device.title()},
+  return {{"scene", desc.file.string()}, {"method", method_names(flat)},         {"device", device.title()},
           {"driver", device.driver},     {"lanes", std::to_string(stats.lanes)}, {"spp", std::to_string(desc.film.spp)},
           {"version", VERSION}};
 }
@@ -78,15 +99,15 @@ std::string invalid_note(const RenderStats& stats) {
   return text;
 }
 
-std::string render_summary(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
+std::string render_summary(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,
                            const RenderStats& stats, const RunTimes& times) {
-  char text[512];
-  std::snprintf(text, sizeof text,
-                "%dx%d, %d spp, method %s, %d lanes on %s: load %.2f s, kernels %.2f s, upload %.2f s, render %.2f s, "
-                "total %.2f s",
-                desc.film.size.x, desc.film.size.y, desc.film.spp, method_name(flat).c_str(), stats.lanes,
-                device.name.c_str(), times.load_s, stats.kernel_build_s, stats.upload_s, stats.render_s, times.total_s);
-  return text;
+  char film[64], rest[512];
+  std::snprintf(film, sizeof film, "%dx%d, %d spp, method ", desc.film.size.x, desc.film.size.y, desc.film.spp);
+  std::snprintf(rest, sizeof rest,
+                ", %d lanes on %s: load %.2f s, kernels %.2f s, upload %.2f s, render %.2f s, total %.2f s",
+                stats.lanes, device.name.c_str(), times.load_s, stats.kernel_build_s, stats.upload_s, stats.render_s,
+                times.total_s);
+  return film + method_names(flat) + rest;
 }
 
 }  // namespace brume

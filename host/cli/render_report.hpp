@@ -3,7 +3,7 @@
 #include <string>
 
 #include "cl/device.hpp"
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 #include "image/image.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene_desc.hpp"
@@ -15,15 +15,15 @@ struct RunTimes {
   double total_s = 0;  // process start to last file written
 };
 
-std::string render_stats_json(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
+std::string render_stats_json(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,
                               const RenderStats& stats, const RunTimes& times);
-ImageMetadata render_metadata(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
+ImageMetadata render_metadata(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,
                               const RenderStats& stats);
 // What is told where reflected and refracted rays were dropped.
 std::string dropped_note(const RenderStats& stats);
 // What is told where samples were left out.
 std::string invalid_note(const RenderStats& stats);
-std::string render_summary(const SceneDesc& desc, const FlatScene& flat, const DeviceInfo& device,
+std::string render_summary(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,
                            const RenderStats& stats, const RunTimes& times);
 
 }  // namespace brume

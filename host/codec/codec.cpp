@@ -58,8 +58,8 @@ Pixels decode(OIIO::ImageInput& input, const OIIO::ImageSpec& spec) {
   return pixels;
 }
 
-// The display window of an OpenEXR file is the picture: what is stored beyond it is cut off, what is not stored in it is 0. (Other formats
-// place their pixels on a page or a canvas, which is not part of the picture.)
+// The display window of an OpenEXR file is the picture: what is stored beyond it is cut off, what is not stored in it
+// is 0. (Other formats place their pixels on a page or a canvas, which is not part of the picture.)
 Pixels display_window(Pixels&& stored, const OIIO::ImageSpec& spec) {
   check_size(spec.full_width, spec.full_height, spec.nchannels);
   const std::ptrdiff_t dx = std::ptrdiff_t(spec.x) - spec.full_x, dy = std::ptrdiff_t(spec.y) - spec.full_y;
@@ -73,6 +73,19 @@ Pixels display_window(Pixels&& stored, const OIIO::ImageSpec& spec) {
     std::copy(from, from + (x1 - x0) * channels, window.values.begin() + (y * width + x0) * channels);
   }
   return window;
+}
+
+// Few and short, so that no file fills the answer with them.
+void add_metadata(std::vector<std::string>& texts, const OIIO::ImageSpec& spec) {
+  constexpr int COUNT_MAX = 64;
+  int count = 0;
+  for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
+    const std::string key = attribute.name().c_str();
+    if (attribute.type() != OIIO::TypeDesc::STRING || key.rfind(METADATA_PREFIX, 0) != 0) continue;
+    const std::string value = attribute.get_ustring().c_str();
+    if (key.size() + value.size() > METADATA_VALUE_MAX || ++count > COUNT_MAX) continue;
+    texts.insert(texts.end(), {key, value});
+  }
 }
 
 void read(const Peer& peer, const std::vector<std::string>& texts) {
@@ -90,6 +103,7 @@ void read(const Peer& peer, const std::vector<std::string>& texts) {
   std::vector<std::string> names;
   names.reserve(std::size_t(spec.nchannels));
   for (int c = 0; c < spec.nchannels; ++c) names.push_back(std::string(spec.channel_name(c)));
+  add_metadata(names, spec);
   const std::string joined = texts_join(names);
   const std::size_t bytes = pixels.values.size() * sizeof(float);
   const ImageAnswer answer{pixels.width, pixels.height, spec.nchannels, samples_of(spec.format), joined.size(), bytes};

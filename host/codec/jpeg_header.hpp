@@ -1,4 +1,5 @@
-// The size of a JPEG from its header. The library says it only after it has taken room for all coefficients of a progressive one: 25 GB for
+// The size of a JPEG from its header. The library says it only after it has taken room for all coefficients of a
+// progressive one: 25 GB for
 // 500 bytes that promise 65500 x 65500.
 #pragma once
 #include <string>

@@ -3,7 +3,8 @@
 
 namespace brume {
 
-// Once, before the first file is read: what is loaded by then and IMAGE_WORK_BYTES_MAX more. Beyond that, std::bad_alloc.
+// Once, before the first file is read: what is loaded by then and IMAGE_WORK_BYTES_MAX more. Beyond that,
+// std::bad_alloc.
 void memory_limit();
 
 }  // namespace brume

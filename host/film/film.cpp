@@ -33,6 +33,39 @@ Values transmittance_of(const FilmPixel& pixel) { return mean(pixel.transmittanc
 
 Values cost_of(const FilmPixel& pixel) { return {pixel.samples > 0 ? pixel.lookups / pixel.samples : 0.0f}; }
 
+Values variance_of(const FilmPixel& pixel) { return mean(pixel.squares, pixel.samples - 1); }
+
+Values samples_of(const FilmPixel& pixel) { return {pixel.samples}; }
+
+void packed_add(Packed3& sum, const Packed3& part) {
+  sum.x += part.x;
+  sum.y += part.y;
+  sum.z += part.z;
+}
+
+// na samples with the sum a and the squared deviations `squares` from their mean, and nb with b and `more`: deviations
+// from the common mean are larger, by d² na nb / (na + nb) in all, d the difference of the means [Chan82].
+float squares_merged(double squares, double a, double na, double more, double b, double nb) {
+  if (!(na > 0 && nb > 0)) return static_cast<float>(squares + more);
+  const double d = b / nb - a / na;
+  return static_cast<float>(squares + more + d * d * na * nb / (na + nb));
+}
+
+Packed3 squares_merged(const FilmPixel& p, const FilmPixel& q) {
+  const double n = p.samples, m = q.samples;
+  return {squares_merged(p.squares.x, p.radiance.x, n, q.squares.x, q.radiance.x, m),
+          squares_merged(p.squares.y, p.radiance.y, n, q.squares.y, q.radiance.y, m),
+          squares_merged(p.squares.z, p.radiance.z, n, q.squares.z, q.radiance.z, m)};
+}
+
+// Every field but the vectors, `squares` and the key is a plain sum.
+constexpr float FilmPixel::*SUMS[] = {&FilmPixel::samples,      &FilmPixel::depth,          &FilmPixel::hits,
+                                      &FilmPixel::lookups,      &FilmPixel::shadow_rays,    &FilmPixel::secondary_rays,
+                                      &FilmPixel::dropped_rays, &FilmPixel::dropped_weight, &FilmPixel::invalid,
+                                      &FilmPixel::clear};
+static_assert(sizeof(FilmPixel) == sizeof(SUMS) / sizeof(*SUMS) * sizeof(float) + 4 * sizeof(Packed3) + sizeof(uint),
+              "film_pixel_merge adds every field");
+
 struct AovRow {
   const char* name;
   int channels;
@@ -40,8 +73,9 @@ struct AovRow {
   Values (*values)(const FilmPixel&);
 };
 
-constexpr const char* LETTERS[] = {"Z", "XYZ", "RGB", "Y"};
-constexpr Values (*VALUES[])(const FilmPixel&) = {depth_of, normal_of, transmittance_of, cost_of};
+constexpr const char* LETTERS[] = {"Z", "XYZ", "RGB", "Y", "RGB", "Y"};
+constexpr Values (*VALUES[])(const FilmPixel&) = {depth_of, normal_of,   transmittance_of,
+                                                  cost_of,  variance_of, samples_of};
 static_assert(std::size(LETTERS) == AOV_COUNT && std::size(VALUES) == AOV_COUNT, "one entry per row of BRUME_AOVS");
 
 const AovRow AOVS[] = {
@@ -51,6 +85,15 @@ const AovRow AOVS[] = {
 };
 
 }  // namespace
+
+void film_pixel_merge(FilmPixel& sum, const FilmPixel& part) {
+  sum.squares = squares_merged(sum, part);  // reads the other sums
+  packed_add(sum.radiance, part.radiance);
+  packed_add(sum.normal, part.normal);
+  packed_add(sum.transmittance, part.transmittance);
+  for (float FilmPixel::*field : SUMS) sum.*field += part.*field;
+  sum.key += part.key;
+}
 
 const Family& aov_family() {
   static const Family family = {

@@ -16,6 +16,9 @@ int aov_channels(Aov aov);
 // Names of its channels in a file: "depth.Z", "normal.X", ...
 std::vector<std::string> aov_channel_names(Aov aov);
 
+// Adds the sums of samples of the same pixel that `sum` does not hold yet. To a pixel without samples: an exact copy.
+void film_pixel_merge(FilmPixel& sum, const FilmPixel& part);
+
 // One named plane: `channels` floats per pixel, row 0 at the top.
 struct Plane {
   std::string name;  // "rgb" for the radiance, else the AOV's name

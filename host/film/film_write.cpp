@@ -1,6 +1,8 @@
 // Which planes of a film become which channels of a file.
 #include "film/film_write.hpp"
 
+#include <optional>
+
 #include "film/film_display.hpp"
 #include "image/image_format.hpp"
 
@@ -21,6 +23,11 @@ void write_linear(const Film& film, const std::filesystem::path& file, const Fil
   if (options.alpha) add_channels(channels, planes.back(), {"A"});
   for (std::size_t i = 0; i < options.aovs.size(); ++i)
     add_channels(channels, planes[i + 1], aov_channel_names(options.aovs[i]));
+  std::optional<PartChannels> part;
+  if (options.cover) {
+    part.emplace(film, *options.cover);
+    channels.insert(channels.end(), part->channels.begin(), part->channels.end());
+  }
   // With a prefix, because EXR gives plain names such as "version" and "type" a meaning of its own.
   ImageMetadata metadata;
   for (const auto& [key, value] : options.metadata) metadata.emplace_back("brume:" + key, value);
@@ -42,6 +49,12 @@ std::vector<float> display_alpha(const std::vector<float>& radiance, const Plane
 }
 
 }  // namespace
+
+int film_channels(const std::vector<Aov>& aovs, bool alpha) {
+  int channels = alpha ? 4 : 3;
+  for (const Aov aov : aovs) channels += aov_channels(aov);
+  return channels;
+}
 
 void film_write(const Film& film, const std::filesystem::path& file, const FilmWriteOptions& options) {
   if (image_format_of_output(file).output == ImageOutput::LINEAR) return write_linear(film, file, options);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "film/film.hpp"
+#include "film/film_partial.hpp"
 #include "image/image.hpp"
 
 namespace brume {
@@ -14,8 +15,12 @@ struct FilmWriteOptions {
   ImageMetadata metadata;  // linear formats only; stored as "brume:<key>"
   bool alpha =
       false;  // a channel A, for a film without background: multiplied in in .exr, not in .png, left out in .jpg
-  ImageWindow window{};  // of the pixels that were rendered: all that is stored, in linear formats
+  const SampleCover* cover = nullptr;  // of a film that others can be joined to: linear formats keep its sums
+  ImageWindow window{};                // of the pixels that were rendered: all that is stored, in linear formats
 };
+
+// R, G, B, A where there is one, and those of the planes.
+int film_channels(const std::vector<Aov>& aovs, bool alpha);
 
 // The extension decides: linear radiance R, G, B, A and layers such as "normal.X", or display values. Errors: those of
 // image_write_exr and image_write_display. To fail before the rendering, call image_check_writable first.

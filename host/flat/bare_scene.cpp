@@ -27,7 +27,8 @@ constexpr float VALUE_MIN = 1e-20f, VALUE_MAX = 1e20f;   // of the largest densi
 constexpr double EXTENT_MIN = 1e-30, EXTENT_MAX = 1e30;  // whose coefficients and cameras single precision holds
 const dvec3 TOWARDS_CAMERA = glm::normalize(dvec3(0.35, 0.2, 1.0));
 
-// Looks at the middle of the bounds from the front, a little right and above, so that their sphere just fits, into a portrait too.
+// Looks at the middle of the bounds from the front, a little right and above, so that their sphere just fits, into a
+// portrait too.
 CameraDesc camera_frame(const Bounds& bounds, ivec2 film) {
   CameraDesc camera;
   const double radius = 0.5 * glm::length(bounds.size()), up = glm::radians(0.5 * VFOV);
@@ -72,8 +73,8 @@ std::string box_text(const Bounds& b) {
   return text;
 }
 
-// Coefficients that make the densest view τ = DENSEST_VIEW, and a line that says so. Values whose coefficients single precision could not
-// hold are brought to 1 first.
+// Coefficients that make the densest view τ = DENSEST_VIEW, and a line that says so. Values whose coefficients single
+// precision could not hold are brought to 1 first.
 std::string medium_expose(MediumDesc& medium, const Grid& grid, float largest, const CameraDesc& camera) {
   double densest = grid_densest_view(grid, camera.eye, camera.target);
   if (!(densest > 0)) {
@@ -93,8 +94,8 @@ std::string medium_expose(MediumDesc& medium, const Grid& grid, float largest, c
          " per unit density, so that the densest view is tau = " + number_text(DENSEST_VIEW, 4);
 }
 
-SceneDesc scene_of_volume(const std::filesystem::path& file, ivec2 film, std::string& report) {
-  const VolumeFirst volume = volume_read_first(file);
+SceneDesc scene_of_volume(const std::filesystem::path& file, ivec2 film, LoadedScene& loaded, std::string& report) {
+  VolumeFirst volume = volume_read_first(file);
   const GridStats stats = grid_stats(volume.grid);
   const Bounds bounds = grid_bounds(volume.grid, stats);
   const double extent = glm::length(bounds.size());
@@ -119,11 +120,13 @@ SceneDesc scene_of_volume(const std::filesystem::path& file, ivec2 film, std::st
   desc.render.light_grid = 128;
   report = file.string() + ", grid '" + volume.grid.name + "'" + volume.why + (volume.fill ? ", filled" : "") +
            ": bounds " + box_text(bounds) + "; " + exposure;
+  if (medium.density.remap.empty()) loaded.keep(medium.density, std::move(volume.grid));
   return desc;
 }
 
-SceneDesc scene_of_mesh(const std::filesystem::path& file, ivec2 film, std::string& report) {
-  const Mesh mesh = mesh_read_obj(file);
+SceneDesc scene_of_mesh(const std::filesystem::path& file, ivec2 film, LoadedScene& loaded, std::string& report) {
+  const std::shared_ptr<const Mesh> read = loaded.mesh(file);
+  const Mesh& mesh = *read;
   Bounds bounds;
   for (const dvec3& p : mesh.positions) bounds.add(p);
 
@@ -148,7 +151,7 @@ SceneDesc scene_of_mesh(const std::filesystem::path& file, ivec2 film, std::stri
 
 struct BareRow {
   const char* extension;
-  SceneDesc (*make)(const std::filesystem::path&, ivec2 film, std::string&);
+  SceneDesc (*make)(const std::filesystem::path&, ivec2 film, LoadedScene&, std::string&);
 };
 constexpr BareRow BARE_FILES[] = {{".vdb", scene_of_volume}, {".obj", scene_of_mesh}};
 
@@ -162,8 +165,8 @@ const BareRow* bare_row(const std::filesystem::path& file) {
 
 bool bare_scene_takes(const std::filesystem::path& file) { return bare_row(file) != nullptr; }
 
-SceneDesc bare_scene(const std::filesystem::path& file, std::string& report, ivec2 film) {
-  return bare_row(file)->make(file, film, report);
+SceneDesc bare_scene(const std::filesystem::path& file, LoadedScene& loaded, std::string& report, ivec2 film) {
+  return bare_row(file)->make(file, film, loaded, report);
 }
 
 }  // namespace brume

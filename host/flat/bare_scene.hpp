@@ -1,8 +1,9 @@
-// A scene for a volume or a mesh that comes alone: camera that frames it, a key light from the upper left, coefficients that make
-// the densest view τ = 4.
+// A scene for a volume or a mesh that comes alone: camera that frames it, a key light from the upper left, coefficients
+// that make the densest view τ = 4.
 #pragma once
 #include <filesystem>
 
+#include "load/loaded_scene.hpp"
 #include "scene/scene_desc.hpp"
 
 namespace brume {
@@ -10,7 +11,8 @@ namespace brume {
 // True for the files that bare_scene takes: .vdb and .obj.
 bool bare_scene_takes(const std::filesystem::path& file);
 
-// `report` receives one line saying what was chosen (σt, the densest view, ...). The camera frames it in a film of that shape.
-SceneDesc bare_scene(const std::filesystem::path& file, std::string& report, ivec2 film = {1, 1});
+// `report` receives one line saying what was chosen (σt, the densest view, ...). The camera frames it in a film of that
+// shape. What it reads is in `loaded`, under the names of the description.
+SceneDesc bare_scene(const std::filesystem::path& file, LoadedScene& loaded, std::string& report, ivec2 film = {1, 1});
 
 }  // namespace brume

@@ -1,12 +1,14 @@
-// Every voxel is thrown onto a picture of some voxels' size a pixel; where most has come together, rays are integrated exactly, and the
-// best one is followed uphill. What a picture of columns blurs, the rays put right; what it does not see is no wider than a voxel,
-// and for those the densest voxel of a pixel is a candidate too.
+// Every voxel is thrown onto a picture of some voxels' size a pixel; where most has come together, rays are integrated
+// exactly, and the best one is followed uphill. What a picture of columns blurs, the rays put right; what it does not
+// see is no wider than a voxel, and for those the densest voxel of a pixel is a candidate too.
 #include "flat/densest_view.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <map>
 
 #include "flat/transform.hpp"
 
@@ -88,6 +90,9 @@ struct Pixel {
 class Picture {
  public:
   Picture(const View& view, const Grid& grid, const std::vector<ivec3>& blocks) : view_(view), grid_(grid) {
+    const glm::dmat3 eye_from_world = glm::transpose(glm::dmat3(view.right, view.above, view.forward));
+    eye_from_lattice_ = eye_from_world * glm::dmat3(grid.world_from_lattice);
+    eye_ = eye_from_world * (dvec3(grid.world_from_lattice[3]) - view.eye);
     bounds_find(blocks);
     for (const ivec3& b : blocks) block_add(b);
   }
@@ -109,9 +114,9 @@ class Picture {
 
  private:
   dvec3 seen(const dvec3& lattice) const {  // u, v, depth
-    const dvec3 p = transform_point(grid_.world_from_lattice, lattice) - view_.eye;
-    const double z = glm::dot(p, view_.forward);
-    return {glm::dot(p, view_.right) / z, glm::dot(p, view_.above) / z, z};
+    const dvec3 p = eye_from_lattice_ * lattice + eye_;
+    const double inverse = 1 / p.z;
+    return {p.x * inverse, p.y * inverse, p.z};
   }
   void bounds_find(const std::vector<ivec3>& blocks);
   void block_add(const ivec3& b);
@@ -119,9 +124,12 @@ class Picture {
 
   const View& view_;
   const Grid& grid_;
+  glm::dmat3 eye_from_lattice_;  // to the right, above, ahead of the eye
+  dvec3 eye_;
   dvec2 lo_{INFINITY}, hi_{-INFINITY};
   double pixel_ = 0, column_ = 0;  // sides of a pixel and of a voxel in the picture
-  double voxel_ = 1;               // volume of one
+  double per_pixel_ = 0, per_column_ = 0;
+  double voxel_ = 1;  // volume of one
   int width_ = 1, height_ = 1;
   std::vector<Pixel> pixels_;
 };
@@ -142,6 +150,8 @@ void Picture::bounds_find(const std::vector<ivec3>& blocks) {
   pixel_ = std::max(column_, std::max(hi_.x - lo_.x, hi_.y - lo_.y) / PICTURE_MAX);
   width_ = static_cast<int>((hi_.x - lo_.x) / pixel_) + 1;
   height_ = static_cast<int>((hi_.y - lo_.y) / pixel_) + 1;
+  per_pixel_ = 1 / pixel_;
+  per_column_ = 1 / column_;
   pixels_.resize(std::size_t(width_) * std::size_t(height_));
 }
 
@@ -155,11 +165,11 @@ void Picture::block_add(const ivec3& b) {
 
 void Picture::add(const dvec3& lattice, double mass) {
   const dvec3 p = seen(lattice);
-  const int x = std::clamp(static_cast<int>((p.x - lo_.x) / pixel_), 0, width_ - 1);
-  const int y = std::clamp(static_cast<int>((p.y - lo_.y) / pixel_), 0, height_ - 1);
+  const int x = std::clamp(static_cast<int>((p.x - lo_.x) * per_pixel_), 0, width_ - 1);
+  const int y = std::clamp(static_cast<int>((p.y - lo_.y) * per_pixel_), 0, height_ - 1);
   Pixel& pixel = pixels_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
-  const double here = mass * voxel_ / (p.z * p.z), column = here / (pixel_ * pixel_),
-               alone = here / (column_ * column_);
+  const double here = mass * voxel_ / (p.z * p.z), column = here * per_pixel_ * per_pixel_,
+               alone = here * per_column_ * per_column_;
   pixel.sum += column;
   pixel.u += column * p.x;
   pixel.v += column * p.y;
@@ -171,37 +181,56 @@ void Picture::add(const dvec3& lattice, double mass) {
 
 }  // namespace
 
-std::vector<ivec3> grid_blocks(const Grid& grid) {
-  std::vector<ivec3> blocks;
-  const ivec3 n = grid.blocks();
-  for (ivec3 b(0); b.z < n.z; ++b.z)
-    for (b.y = 0; b.y < n.y; ++b.y)
-      for (b.x = 0; b.x < n.x; ++b.x)
-        if (!grid.block_empty(b)) blocks.push_back(b);
+GridBlocks grid_blocks(const Grid& grid) {
+  GridBlocks blocks;
+  std::map<std::array<int, 3>, std::size_t> known;
+  grid_visit_blocks(grid, [&](ivec3 b) {
+    const ivec3 group = b / GRID_GROUP;
+    const auto [at, is_new] = known.try_emplace({group.x, group.y, group.z}, blocks.groups.size());
+    if (is_new) blocks.groups.push_back({group, {}});
+    blocks.groups[at->second].members.push_back(static_cast<std::uint32_t>(blocks.all.size()));
+    blocks.all.push_back(b);
+  });
   return blocks;
 }
 
-double grid_line_integral(const Grid& grid, const std::vector<ivec3>& blocks, const dvec3& from, const dvec3& dir) {
+double grid_line_integral(const Grid& grid, const GridBlocks& blocks, const dvec3& from, const dvec3& dir) {
   const dmat4 lattice_from_world = glm::inverse(grid.world_from_lattice);
   const dvec3 p = transform_point(lattice_from_world, from) - 0.5, d = transform_dir(lattice_from_world, dir);
+  struct Met {
+    std::uint32_t block;
+    double t0, t1;
+  };
+  std::vector<Met> met;
+  const auto meets = [&](const dvec3& q, double margin, double side, double& t0, double& t1) {
+    return box_clip(q, d, dvec3(-1 - margin), dvec3(side + margin), t0 = 0, t1 = INFINITY);
+  };
+  double t0, t1;
+  for (const GridBlocks::Group& group : blocks.groups) {
+    constexpr int SIDE = GRID_GROUP * GRID_BLOCK;
+    if (!meets(p - dvec3(group.index * SIDE), 0.5, SIDE, t0, t1)) continue;
+    for (const std::uint32_t i : group.members)
+      if (meets(p - dvec3(blocks.all[i] * GRID_BLOCK), 0, GRID_BLOCK, t0, t1)) met.push_back({i, t0, t1});
+  }
+  std::sort(met.begin(), met.end(),
+            [](const Met& a, const Met& b) { return a.block < b.block; });  // one order of adding
   double sum = 0;
-  for (const ivec3& b : blocks) {
-    const dvec3 q = p - dvec3(b * GRID_BLOCK);
-    double t0 = 0, t1 = INFINITY;
-    if (box_clip(q, d, dvec3(-1), dvec3(GRID_BLOCK), t0, t1)) sum += block_integral(grid.block(b), q, d, t0, t1);
+  for (const Met& m : met) {
+    const ivec3 b = blocks.all[m.block];
+    sum += block_integral(grid.block(b), p - dvec3(b * GRID_BLOCK), d, m.t0, m.t1);
   }
   return sum;
 }
 
 double grid_densest_view(const Grid& grid, const dvec3& eye, const dvec3& target) {
-  const std::vector<ivec3> blocks = grid_blocks(grid);
-  if (blocks.empty()) return 0;
+  const GridBlocks blocks = grid_blocks(grid);
+  if (blocks.all.empty()) return 0;
   const View view = view_make(eye, target);
-  const Picture picture(view, grid, blocks);
+  const Picture picture(view, grid, blocks.all);
   const auto along = [&](const glm::dvec2& at) {
     return grid_line_integral(grid, blocks, eye, view.direction(at.x, at.y));
   };
-  const double rays = std::clamp<double>(BOXES_MAX / double(blocks.size()), RAYS_MIN, RAYS_MAX);
+  const double rays = std::clamp<double>(BOXES_MAX / double(blocks.all.size()), RAYS_MIN, RAYS_MAX);
   double best = 0;
   glm::dvec2 at(0);
   for (const glm::dvec2& candidate : picture.candidates(static_cast<std::size_t>(rays))) {

@@ -1,4 +1,4 @@
-// Camera, film size, background and lights.
+// Camera, film size and background.
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -13,9 +13,9 @@ namespace brume {
 namespace {
 
 constexpr double BOUNDS_MARGIN = 1.0 / 32;  // flat units: camera rays start that much before the scene
-constexpr double FAR = 16;                  // flat units from the scene's centre: eyes beyond are far
 
-// The place of the camera (shared/camera.h), as multiples of `forward` from the target, which is exact where the scene is.
+// The place of the camera (shared/camera.h), as multiples of `forward` from the target, which is exact where the scene
+// is.
 void camera_place(const CameraDesc& c, const Bounds& bounds, const dvec3& forward, const FlatScene& scene,
                   Camera& camera) {
   const dvec3 eye = scene.point(c.eye), target = scene.point(c.target);
@@ -25,26 +25,11 @@ void camera_place(const CameraDesc& c, const Bounds& bounds, const dvec3& forwar
     double nearest = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 8; ++i) nearest = std::min(nearest, glm::dot(bounds.corner(i) - target, forward));
     along = std::max(along, nearest);
-  } else if (!bounds.empty() && glm::distance(eye, bounds.center()) > FAR) {
+  } else if (!bounds.empty() && glm::distance(eye, bounds.center()) > FAR_AWAY) {
     along = std::max(along, glm::dot(bounds.center() - target, forward));
   }
   camera.axis = packed(along > -distance ? target + along * forward : eye);
   camera.back = static_cast<float>(distance + along);
-}
-
-// A light beyond FAR gets a length of its own, so that its distance is some FAR of them.
-void light_place(const LightDesc& desc, const FlatScene& scene, Light& light) {
-  const dvec3 position = scene.point(desc.position), size = glm::abs(position);
-  light.exponent = std::max(0, static_cast<int>(std::ceil(std::log2(std::max({size.x, size.y, size.z, FAR}) / FAR))));
-  const double length = std::exp2(light.exponent);
-  light.position = packed(position / length);
-  if (light.falloff == FALLOFF_INVERSE_SQUARE)
-    light.intensity = packed(desc.intensity / (scene.unit * length) / (scene.unit * length));
-}
-
-float one_minus_cos(double degrees) {
-  const double half = std::sin(glm::radians(0.5 * degrees));
-  return static_cast<float>(2 * half * half);
 }
 
 Bounds flat_bounds(const Bounds& world, const FlatScene& scene) {
@@ -57,7 +42,7 @@ Bounds flat_bounds(const Bounds& world, const FlatScene& scene) {
 
 }  // namespace
 
-void flatten_camera(const SceneDesc& desc, const Bounds& world_bounds, FlatScene& scene) {
+void plan_camera(const SceneDesc& desc, const FlatScene& scene, Frame& frame) {
   const CameraDesc& c = desc.camera;
   const dvec3 forward = glm::normalize(c.target - c.eye);
   const dvec3 right = glm::normalize(glm::cross(forward, c.up));
@@ -65,9 +50,8 @@ void flatten_camera(const SceneDesc& desc, const Bounds& world_bounds, FlatScene
   const double half = c.type == CAMERA_PERSPECTIVE ? std::tan(glm::radians(0.5 * c.vfov)) : 0.5 * c.height / scene.unit;
   const double aspect = double(desc.film.size.x) / desc.film.size.y;
 
-  Frame& frame = scene.frame;
   frame.camera.type = c.type;
-  const Bounds bounds = flat_bounds(world_bounds, scene);
+  const Bounds bounds = flat_bounds(scene.bounds, scene);
   if (!bounds.empty()) {
     frame.bounds_lo = packed(bounds.lo);
     frame.bounds_hi = packed(bounds.hi);
@@ -85,21 +69,6 @@ void flatten_camera(const SceneDesc& desc, const Bounds& world_bounds, FlatScene
   frame.roulette = static_cast<float>(desc.render.roulette);
   frame.max_depth = desc.render.max_depth;
   frame.seed = static_cast<uint>(desc.render.seed);
-}
-
-void flatten_lights(const SceneDesc& desc, FlatScene& scene) {
-  for (const LightDesc& l : desc.lights) {
-    Light light{};
-    light.type = l.type;
-    light.falloff = l.falloff;
-    light.direction = packed(glm::normalize(l.direction));
-    light.intensity = packed(l.intensity);
-    if (l.type != LIGHT_DIRECTIONAL) light_place(l, scene, light);
-    light.outer = one_minus_cos(l.angle);
-    light.inner = one_minus_cos(l.angle * (1 - l.softness));
-    scene.lights.push_back(light);
-  }
-  scene.frame.light_count = static_cast<int>(scene.lights.size());
 }
 
 }  // namespace brume

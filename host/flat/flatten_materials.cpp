@@ -5,16 +5,15 @@
 
 #include "base/error.hpp"
 #include "flat/flatten_parts.hpp"
-#include "image/image.hpp"
 
 namespace brume {
 
 namespace {
 
-// Loads every image once, however many materials name it.
+// Holds the texels of every image once, however many materials name it.
 class TextureTable {
  public:
-  explicit TextureTable(FlatScene& scene) : scene_(scene) {}
+  TextureTable(LoadedScene& loaded, FlatScene& scene) : loaded_(loaded), scene_(scene) {}
 
   int add(const TextureDesc& desc) {
     if (desc.type == TEXTURE_IMAGE) {
@@ -51,7 +50,8 @@ class TextureTable {
   const Texture& image(const std::filesystem::path& file) {
     const auto known = images_.find(file);
     if (known != images_.end()) return known->second;
-    const Image image = image_read_texture(file);
+    const std::shared_ptr<const Image> decoded = loaded_.texture(file);
+    const Image& image = *decoded;
     if (image.cleaned > 0)
       scene_.notes.push_back(file.string() + ": " + std::to_string(image.cleaned) + " of " +
                              std::to_string(image.values.size() / 3) +
@@ -73,6 +73,7 @@ class TextureTable {
     return static_cast<int>(scene_.textures.size()) - 1;
   }
 
+  LoadedScene& loaded_;
   FlatScene& scene_;
   std::map<std::filesystem::path, Texture> images_;
 };
@@ -122,8 +123,8 @@ Material material_flatten(const MeshMaterial& m, TextureTable& textures, std::ve
 
 }  // namespace
 
-void flatten_materials(const SceneDesc& desc, LoadedShapes& shapes, FlatScene& scene) {
-  TextureTable textures(scene);
+void flatten_materials(const SceneDesc& desc, LoadedScene& loaded, LoadedShapes& shapes, FlatScene& scene) {
+  TextureTable textures(loaded, scene);
   for (const MaterialDesc& m : desc.materials) scene.materials.push_back(material_flatten(m, textures));
   shapes.default_material = static_cast<int>(scene.materials.size());
   scene.materials.push_back(material_flatten(MaterialDesc{}, textures));
@@ -133,7 +134,6 @@ void flatten_materials(const SceneDesc& desc, LoadedShapes& shapes, FlatScene& s
     for (const MeshMaterial& m : mesh.mesh.materials)
       scene.materials.push_back(material_flatten(m, textures, scene.notes));
   }
-  scene.frame.material_count = static_cast<int>(scene.materials.size());
 }
 
 }  // namespace brume

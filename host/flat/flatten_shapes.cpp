@@ -93,9 +93,9 @@ Mesh mesh_of(const TriangleDesc& t) {
   return mesh;
 }
 
-// Loads a mesh and puts it into the world.
-Mesh mesh_load(const MeshDesc& desc, std::vector<std::string>& notes) {
-  Mesh mesh = mesh_read_obj(desc.file);
+// A mesh in the world.
+Mesh mesh_load(const MeshDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes) {
+  Mesh mesh = *loaded.mesh(desc.file);
   for (const std::string& note : mesh.notes) note_once(notes, note);  // of a mesh that several shapes show
   if (desc.shading == MeshShading::PHONG) mesh_complete_normals(mesh, desc.crease);
   const dmat4 m = transform_matrix(desc.transform);
@@ -136,14 +136,14 @@ void note_once(std::vector<std::string>& notes, const std::string& note) {
   if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
 }
 
-LoadedShapes load_shapes(const SceneDesc& desc, std::vector<std::string>& notes) {
+LoadedShapes load_shapes(const SceneDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes) {
   LoadedShapes shapes;
   for (const ShapeDesc& shape : desc.shapes) {
     std::visit(AddBounds{shapes.bounds}, shape.geometry);
     if (const auto* triangle = std::get_if<TriangleDesc>(&shape.geometry)) {
       shapes.meshes.push_back({&shape, mesh_of(*triangle)});
     } else if (const auto* mesh = std::get_if<MeshDesc>(&shape.geometry)) {
-      shapes.meshes.push_back({&shape, mesh_load(*mesh, notes)});
+      shapes.meshes.push_back({&shape, mesh_load(*mesh, loaded, notes)});
       for (const dvec3& p : shapes.meshes.back().mesh.positions) shapes.bounds.add(p);
     } else {
       shapes.analytic.push_back(&shape);
@@ -179,8 +179,6 @@ void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene) {
   scene.bvh_links = std::move(bvh.links);
   scene.bvh_blocks = std::move(bvh.blocks);
   scene.bvh_ids = std::move(bvh.ids);
-  scene.frame.shape_count = static_cast<int>(scene.shapes.size());
-  scene.frame.triangle_count = static_cast<int>(scene.triangles.size());
 }
 
 }  // namespace brume

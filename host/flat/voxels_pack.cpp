@@ -1,5 +1,5 @@
-// Voxels in fewer bytes. What the reference and the ranges see is what devices read: rounding is an error of the data, never one
-// between kernels and reference.
+// Voxels in fewer bytes. What the reference and the ranges see is what devices read: rounding is an error of the data,
+// never one between kernels and reference.
 #include <Imath/half.h>
 
 #include <algorithm>
@@ -13,17 +13,17 @@ namespace brume {
 namespace {
 
 // Both return the largest |stored - given|. Densities are within half's range: densities_scale.
-float pack_f16(FlatScene& scene) {
-  for (float& value : scene.brick_ranges) value = Imath::half(value);  // rounding keeps the order: still bounds
-  scene.packed.resize(2 * scene.voxels.size());
+float pack_f16(std::vector<float>& voxels, StoredVoxels& stored) {
+  for (float& value : stored.ranges) value = Imath::half(value);  // rounding keeps the order: still bounds
+  stored.packed.resize(2 * voxels.size());
   float off = 0;
-  for (std::size_t i = 0; i < scene.voxels.size(); ++i) {
-    const float given = scene.voxels[i];
+  for (std::size_t i = 0; i < voxels.size(); ++i) {
+    const float given = voxels[i];
     const Imath::half half(given);
     const std::uint16_t bits = half.bits();
-    std::memcpy(&scene.packed[2 * i], &bits, sizeof bits);
-    scene.voxels[i] = half;
-    off = std::max(off, std::abs(scene.voxels[i] - given));
+    std::memcpy(&stored.packed[2 * i], &bits, sizeof bits);
+    voxels[i] = half;
+    off = std::max(off, std::abs(voxels[i] - given));
   }
   return off;
 }
@@ -42,28 +42,24 @@ float brick_pack_u8(float min, float max, float* voxels, unsigned char* codes) {
   return off;
 }
 
-float pack_u8(FlatScene& scene) {
-  scene.packed.resize(scene.voxels.size());
-  std::vector<bool> done(scene.voxels.size() / BRICK_VALUES);
+float pack_u8(std::vector<float>& voxels, StoredVoxels& stored) {
+  stored.packed.resize(voxels.size());
   float off = 0;
-  for (std::size_t i = 0; i < scene.bricks.size(); ++i) {
-    if (scene.bricks[i] == BRICK_EMPTY) continue;
-    const auto brick = static_cast<std::size_t>(scene.bricks[i]);
-    if (done[brick]) continue;  // shared by bricks of the same one value
-    done[brick] = true;
-    off = std::max(off, brick_pack_u8(scene.brick_ranges[2 * i], scene.brick_ranges[2 * i + 1],
-                                      &scene.voxels[brick * BRICK_VALUES], &scene.packed[brick * BRICK_VALUES]));
-  }
+  for (std::size_t brick = 0; brick < voxels.size() / BRICK_VALUES; ++brick)
+    off = std::max(off, brick_pack_u8(stored.ranges[2 * brick], stored.ranges[2 * brick + 1],
+                                      &voxels[brick * BRICK_VALUES], &stored.packed[brick * BRICK_VALUES]));
   return off;
 }
 
 }  // namespace
 
-void voxels_pack(FlatScene& scene, int storage) {
-  scene.storage = storage;
-  if (storage == STORAGE_F32 || scene.voxels.empty()) return;
-  const float largest = *std::max_element(scene.voxels.begin(), scene.voxels.end());
-  scene.storage_error = (storage == STORAGE_F16 ? pack_f16(scene) : pack_u8(scene)) / largest;
+StoredVoxels voxels_store(const FlatScene& flat, int storage, std::vector<float>& voxels) {
+  StoredVoxels stored;
+  stored.ranges = flat.brick_ranges;
+  if (voxels.empty()) return stored;
+  const float largest = *std::max_element(voxels.begin(), voxels.end());
+  stored.error = (storage == STORAGE_F16 ? pack_f16(voxels, stored) : pack_u8(voxels, stored)) / largest;
+  return stored;
 }
 
 }  // namespace brume

@@ -1,5 +1,5 @@
-// Image files in and out through OpenImageIO (in host/codec): what is read, what is refused, what is written. No tone curve
-// (host/film), no texture lookup, no comparison.
+// Image files in and out through OpenImageIO (in host/codec): what is read, what is refused, what is written. No tone
+// curve (host/film), no texture lookup, no comparison.
 #pragma once
 #include <cstddef>
 #include <filesystem>
@@ -9,6 +9,8 @@
 
 namespace brume {
 
+using ImageMetadata = std::vector<std::pair<std::string, std::string>>;  // key, value
+
 // values[(y * width + x) * channels + c]; row 0 is the TOP row of the picture, whatever the file's own order.
 struct Image {
   int width = 0, height = 0, channels = 0;
@@ -17,15 +19,19 @@ struct Image {
   bool from_integers = false;  // the file stores integers: display values, not radiance
   std::size_t cleaned =
       0;  // texels with a channel that was NaN, infinite or negative and became 0 (image_read_texture only)
-  std::string source;  // the file, for messages
+  std::string source;        // the file, for messages
+  ImageMetadata metadata{};  // string attributes that brume wrote, "brume:..."; image_read only
 };
 
+// The value of that key, or nullptr.
+const std::string* metadata_find(const ImageMetadata& metadata, const std::string& key);
+
 // Reading. Formats are told by content (see image_format.hpp), not by extension; of a multi-part file the first part is
-// read, of a mip-mapped one the finest level; the Exif orientation is not applied. An OpenEXR file is its display window: 0 where nothing
-// is stored, without what is stored beyond it.
+// read, of a mip-mapped one the finest level; the Exif orientation is not applied. An OpenEXR file is its display
+// window: 0 where nothing is stored, without what is stored beyond it.
 //
-// The library runs in a program of its own, brume-image (image_program.hpp): some damaged files kill it from within (abort, stack
-// overflow). One thread at a time.
+// The library runs in a program of its own, brume-image (image_program.hpp): some damaged files kill it from within
+// (abort, stack overflow). One thread at a time.
 //
 // Errors: InputError for a file that is missing, of no known format, too large (the message gives size and limit),
 // damaged, deep or volumetric, or that crashes the library ("... makes the image library crash (signal 6)").
@@ -55,7 +61,6 @@ struct ImageChannel {
   const float* values;
   std::size_t stride = 1;
 };
-using ImageMetadata = std::vector<std::pair<std::string, std::string>>;
 
 // The pixels [x0, x1) x [y0, y1) of a picture; all 0: the whole of it.
 struct ImageWindow {
@@ -64,13 +69,13 @@ struct ImageWindow {
   int height() const { return y1 - y0; }
 };
 
-// 32-bit float OpenEXR, zip compression, string attributes. Channel names with a dot are layers ("normal.X"). Stored are the
-// pixels of `window`, OpenEXR's data window, of a picture of that width and height.
+// 32-bit float OpenEXR, zip compression, string attributes. Channel names with a dot are layers ("normal.X"). Stored
+// are the pixels of `window`, OpenEXR's data window, of a picture of that width and height.
 void image_write_exr(const std::filesystem::path& file, int width, int height,
                      const std::vector<ImageChannel>& channels, const ImageMetadata& metadata, ImageWindow window = {});
 
-// 8-bit PNG or JPEG (quality 95, no chroma subsampling) from 3 display values in [0,1] per pixel; NaN is written as 0. With `alpha` 4 values,
-// the last one alpha, not multiplied into the others: PNG only.
+// 8-bit PNG or JPEG (quality 95, no chroma subsampling) from 3 display values in [0,1] per pixel; NaN is written as 0.
+// With `alpha` 4 values, the last one alpha, not multiplied into the others: PNG only.
 void image_write_display(const std::filesystem::path& file, int width, int height, const std::vector<float>& values,
                          bool alpha = false);
 

@@ -47,6 +47,8 @@ bool decode(const std::string& name, const std::vector<std::string>& texts, Deco
   decoded = {{answer.width, answer.height, answer.channels, {}, said, false, 0, name}, answer.samples};
   decoded.image.from_integers = answer.samples != Samples::FLOATING;
   decoded.image.channel_names.resize(std::size_t(answer.channels));
+  for (std::size_t i = std::size_t(answer.channels); i + 1 < said.size(); i += 2)
+    decoded.image.metadata.emplace_back(said[i], said[i + 1]);
   std::vector<float>& values = decoded.image.values;
   values.resize(std::size_t(answer.width) * std::size_t(answer.height) * std::size_t(answer.channels));
   return program.receive(values.data(), values.size() * sizeof(float));

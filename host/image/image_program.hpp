@@ -1,5 +1,5 @@
-// The running program brume-image, in which the image library lives: its 250 shared libraries take a third of a second to load, which goes on
-// beside other work here, and damaged files that crash it do no harm. Private to host/image.
+// The running program brume-image, in which the image library lives: its 250 shared libraries take a third of a second
+// to load, which goes on beside other work here, and damaged files that crash it do no harm. Private to host/image.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -12,15 +12,16 @@ namespace brume {
 
 class ImageProgram {
  public:
-  // One for reading, one for writing: what a damaged file may have done to the first never reaches a picture. Not for several threads.
+  // One for reading, one for writing: what a damaged file may have done to the first never reaches a picture. Not for
+  // several threads.
   static ImageProgram& reader();
   static ImageProgram& writer();
   ~ImageProgram();  // lets it end by itself; nobody waits for that
 
   // Starts it where it does not run yet and returns at once. RuntimeError where it is not found or cannot be started.
   void start();
-  // Sends a request (protocol and text_bytes are filled in) and receives the answer's head and texts. False where the program died: stop()
-  // says how. The next request starts it anew.
+  // Sends a request (protocol and text_bytes are filled in) and receives the answer's head and texts. False where the
+  // program died: stop() says how. The next request starts it anew.
   bool ask(ImageRequest request, const std::vector<std::string>& texts, const void* values, ImageAnswer& answer,
            std::vector<std::string>& said);
   bool receive(void* data, std::size_t bytes) { return helper_receive(child_.socket, data, bytes); }

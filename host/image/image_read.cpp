@@ -62,6 +62,12 @@ int image_channel(const Image& image, const std::string& name) {
   return found == names.end() ? -1 : static_cast<int>(found - names.begin());
 }
 
+const std::string* metadata_find(const ImageMetadata& metadata, const std::string& key) {
+  for (const auto& [name, value] : metadata)
+    if (name == key) return &value;
+  return nullptr;
+}
+
 Image image_read(const std::filesystem::path& file) { return image_decode(file).image; }
 
 Image image_read_texture(const std::filesystem::path& file) {

@@ -13,8 +13,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The bytes of the file. A program that dies is started once more: it may have been killed from outside, and a finished picture is not to be
-// lost for that.
+// The bytes of the file. A program that dies is started once more: it may have been killed from outside, and a finished
+// picture is not to be lost for that.
 std::string encode(const fs::path& file, const ImageRequest& request, const std::vector<std::string>& texts,
                    const void* values) {
   ImageProgram& program = ImageProgram::writer();

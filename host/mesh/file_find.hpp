@@ -19,9 +19,9 @@ class FileFinder {
  public:
   explicit FileFinder(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
 
-  // The file called `name` ("\" separates folders, too); else one whose name differs in case; else one called by the end of the name,
-  // the longer the better ("C:\art\textures\Wood.PNG": textures/wood.png, else wood.png). Quotes about the name are taken off
-  // where no file has them. Every name is looked for once.
+  // The file called `name` ("\" separates folders, too); else one whose name differs in case; else one called by the
+  // end of the name, the longer the better ("C:\art\textures\Wood.PNG": textures/wood.png, else wood.png). Quotes about
+  // the name are taken off where no file has them. Every name is looked for once.
   const FoundFile& find(std::string_view name);
 
  private:

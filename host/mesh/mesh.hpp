@@ -1,4 +1,5 @@
-// A triangle mesh as its OBJ file states it, checked: every index is in range, every position finite, no triangle without area.
+// A triangle mesh as its OBJ file states it, checked: every index is in range, every position finite, no triangle
+// without area.
 #pragma once
 #include <array>
 #include <filesystem>
@@ -43,12 +44,12 @@ struct Mesh {
       notes;  // what a user should be told: missing MTL, dropped triangles, lines that are not read, ...
 };
 
-// Throws InputError for a file that is missing, has no triangle, an index out of range, a vertex beyond 1e38, a number of the MTL
-// beyond float, or syntax at whose meaning one would only guess.
+// Throws InputError for a file that is missing, has no triangle, an index out of range, a vertex beyond 1e38, a number
+// of the MTL beyond float, or syntax at whose meaning one would only guess.
 Mesh mesh_read_obj(const std::filesystem::path& file);
 
-// Gives every corner without a normal one: the angle-weighted mean over the triangles of its smoothing group that share its
-// position [Thuermer98]; with `crease` (degrees) only over those that edges of at most this angle join to it.
+// Gives every corner without a normal one: the angle-weighted mean over the triangles of its smoothing group that share
+// its position [Thuermer98]; with `crease` (degrees) only over those that edges of at most this angle join to it.
 void mesh_complete_normals(Mesh& mesh, std::optional<double> crease = {});
 
 }  // namespace brume

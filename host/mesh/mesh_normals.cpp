@@ -75,7 +75,8 @@ class Corners {
     return out;
   }
 
-  // The corners at both ends of each edge that two triangles of one group share at an angle whose cosine is at least `cosine`.
+  // The corners at both ends of each edge that two triangles of one group share at an angle whose cosine is at least
+  // `cosine`.
   void join_edges(double cosine) {
     const std::vector<Edge> all = edges();
     for (std::size_t i = 0; i < all.size(); ++i)

@@ -1,5 +1,5 @@
-// A reader of our own: tinyobjloader carries what one material says into the next, reads "0,2" as 0, keeps float only, and drops
-// without a word what it does not know; who renders other people's files has to hear of each such line.
+// A reader of our own: tinyobjloader carries what one material says into the next, reads "0,2" as 0, keeps float only,
+// and drops without a word what it does not know; who renders other people's files has to hear of each such line.
 #include "mesh/mtl_reader.hpp"
 
 #include <algorithm>
@@ -15,9 +15,9 @@ namespace {
 
 using Path = std::filesystem::path;
 
-class Reader {
+class MtlReader {
  public:
-  Reader(const Path& file, FileFinder& images, std::vector<MeshMaterial>& materials)
+  MtlReader(const Path& file, FileFinder& images, std::vector<MeshMaterial>& materials)
       : file_(file), images_(images), notes_(file), materials_(materials) {}
 
   void run(std::string_view text, std::vector<std::string>& notes) {
@@ -32,25 +32,25 @@ class Reader {
  private:
   struct Row {
     const char* keyword;
-    void (Reader::*read)(std::string_view words);
+    void (MtlReader::*read)(std::string_view words);
     std::optional<glm::dvec3> MtlMaterial::*color;
     std::optional<double> MtlMaterial::*number;
     MeshTexture MtlMaterial::*map;
   };
   static const std::vector<Row>& rows() {
-    static const std::vector<Row> table = {{"newmtl", &Reader::material_begin, {}, {}, {}},
-                                           {"Kd", &Reader::color_read, &MtlMaterial::diffuse, {}, {}},
-                                           {"Ks", &Reader::color_read, &MtlMaterial::specular, {}, {}},
-                                           {"Ka", &Reader::color_read, &MtlMaterial::ambient, {}, {}},
-                                           {"Ke", &Reader::color_read, &MtlMaterial::emission, {}, {}},
-                                           {"Tf", &Reader::color_read, &MtlMaterial::filter, {}, {}},
-                                           {"Ns", &Reader::number_read, {}, &MtlMaterial::shininess, {}},
-                                           {"Ni", &Reader::number_read, {}, &MtlMaterial::ior, {}},
-                                           {"d", &Reader::number_read, {}, &MtlMaterial::dissolve, {}},
-                                           {"Tr", &Reader::number_read, {}, &MtlMaterial::transparency, {}},
-                                           {"illum", &Reader::number_read, {}, &MtlMaterial::illum, {}},
-                                           {"map_Kd", &Reader::map_read, {}, {}, &MtlMaterial::diffuse_map},
-                                           {"map_Ke", &Reader::map_read, {}, {}, &MtlMaterial::emission_map}};
+    static const std::vector<Row> table = {{"newmtl", &MtlReader::material_begin, {}, {}, {}},
+                                           {"Kd", &MtlReader::color_read, &MtlMaterial::diffuse, {}, {}},
+                                           {"Ks", &MtlReader::color_read, &MtlMaterial::specular, {}, {}},
+                                           {"Ka", &MtlReader::color_read, &MtlMaterial::ambient, {}, {}},
+                                           {"Ke", &MtlReader::color_read, &MtlMaterial::emission, {}, {}},
+                                           {"Tf", &MtlReader::color_read, &MtlMaterial::filter, {}, {}},
+                                           {"Ns", &MtlReader::number_read, {}, &MtlMaterial::shininess, {}},
+                                           {"Ni", &MtlReader::number_read, {}, &MtlMaterial::ior, {}},
+                                           {"d", &MtlReader::number_read, {}, &MtlMaterial::dissolve, {}},
+                                           {"Tr", &MtlReader::number_read, {}, &MtlMaterial::transparency, {}},
+                                           {"illum", &MtlReader::number_read, {}, &MtlMaterial::illum, {}},
+                                           {"map_Kd", &MtlReader::map_read, {}, {}, &MtlMaterial::diffuse_map},
+                                           {"map_Ke", &MtlReader::map_read, {}, {}, &MtlMaterial::emission_map}};
     return table;
   }
 
@@ -63,7 +63,7 @@ class Reader {
       if (keyword != row.keyword)
         notes_.add(line_, "'" + keyword + "' is read as '" + row.keyword + "'", "other case of " + text_lower(keyword));
       row_ = &row;
-      if (row.read != &Reader::material_begin && !material_)
+      if (row.read != &MtlReader::material_begin && !material_)
         notes_.add(line_, "stands before the first newmtl; it is not read");
       else
         (this->*row.read)(words);
@@ -152,7 +152,7 @@ class Reader {
 
 void mtl_read(const Path& file, std::string_view text, FileFinder& images, std::vector<MeshMaterial>& materials,
               std::vector<std::string>& notes) {
-  Reader(file, images, materials).run(text, notes);
+  MtlReader(file, images, materials).run(text, notes);
 }
 
 }  // namespace brume

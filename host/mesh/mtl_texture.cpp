@@ -103,9 +103,9 @@ std::string_view name_take(std::string_view& words) {
 
 constexpr int VALUES_MAX = 3;  // of an option that is not known
 
-class Reader {
+class MapReader {
  public:
-  Reader(FileFinder& images, std::size_t line, LineNotes& notes) : images_(images), line_(line), notes_(notes) {}
+  MapReader(FileFinder& images, std::size_t line, LineNotes& notes) : images_(images), line_(line), notes_(notes) {}
 
   MeshTexture run(std::string_view words) {
     for (words = name_of(words); !words.empty(); words = name_of(words)) {
@@ -165,7 +165,7 @@ class Reader {
 }  // namespace
 
 MeshTexture mtl_texture(FileFinder& images, std::string_view words, std::size_t line, LineNotes& notes) {
-  return Reader(images, line, notes).run(words);
+  return MapReader(images, line, notes).run(words);
 }
 
 }  // namespace brume

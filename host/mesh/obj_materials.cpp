@@ -53,7 +53,8 @@ class Libraries {
   }
 
  private:
-  // One file where there is one called by the whole line, else as many as end in .mtl; of what is not there, each word if all are.
+  // One file where there is one called by the whole line, else as many as end in .mtl; of what is not there, each word
+  // if all are.
   std::vector<std::string> names_of(const std::string& line) {
     if (const FoundFile& whole = files_.find(line); whole.found && whole.as_named) return {line};
     const auto there = [&](const std::string& name) { return files_.find(name).found; };

@@ -1,5 +1,5 @@
-// See obj_parse.hpp. A reader of our own: tinyobjloader keeps vertices in float, and drops, guesses at or reads as 0 what it does not
-// understand, so that most of its work had to be done before it.
+// See obj_parse.hpp. A reader of our own: tinyobjloader keeps vertices in float, and drops, guesses at or reads as 0
+// what it does not understand, so that most of its work had to be done before it.
 #include "mesh/obj_parse.hpp"
 
 #include <algorithm>
@@ -32,9 +32,9 @@ struct Kind {
 };
 enum { POSITION, UV, NORMAL };
 
-class Reader {
+class ObjReader {
  public:
-  explicit Reader(const Path& file) : file_(file), out_(file) {}
+  explicit ObjReader(const Path& file) : file_(file), out_(file) {}
 
   ObjFile run() {
     const std::string text = file_read_text(file_, OBJ_BYTES_MAX, "an OBJ file");
@@ -54,7 +54,7 @@ class Reader {
  private:
   struct Row {
     const char* keyword;
-    void (Reader::*read)(std::string_view words);
+    void (ObjReader::*read)(std::string_view words);
   };
 
   [[noreturn]] void refuse(std::size_t line, const std::string& cause) const {
@@ -66,13 +66,13 @@ class Reader {
   }
 
   void line_read(const std::string& line) {
-    static constexpr Row ROWS[] = {{"v", &Reader::position_read},
-                                   {"vt", &Reader::uv_read},
-                                   {"vn", &Reader::normal_read},
-                                   {"f", &Reader::face_read},
-                                   {"s", &Reader::group_read},
-                                   {"usemtl", &Reader::material_read},
-                                   {"mtllib", &Reader::library_read},
+    static constexpr Row ROWS[] = {{"v", &ObjReader::position_read},
+                                   {"vt", &ObjReader::uv_read},
+                                   {"vn", &ObjReader::normal_read},
+                                   {"f", &ObjReader::face_read},
+                                   {"s", &ObjReader::group_read},
+                                   {"usemtl", &ObjReader::material_read},
+                                   {"mtllib", &ObjReader::library_read},
                                    {"o", nullptr},
                                    {"g", nullptr}};  // names of parts: nothing to see
     std::string_view words = line;
@@ -222,6 +222,6 @@ class Reader {
 
 }  // namespace
 
-ObjFile obj_parse(const Path& file) { return Reader(file).run(); }
+ObjFile obj_parse(const Path& file) { return ObjReader(file).run(); }
 
 }  // namespace brume

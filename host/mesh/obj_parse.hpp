@@ -32,8 +32,9 @@ struct ObjFile {
   LineNotes notes;
 };
 
-// Throws InputError "file: line N: cause" for a vertex, normal or texture coordinate that is not numbers up to 1e38, for a corner of
-// a face that is not indices, or one out of range; and for a text in which no line is a vertex or a face.
+// Throws InputError "file: line N: cause" for a vertex, normal or texture coordinate that is not numbers up to 1e38,
+// for a corner of a face that is not indices, or one out of range; and for a text in which no line is a vertex or a
+// face.
 ObjFile obj_parse(const std::filesystem::path& file);
 
 }  // namespace brume

@@ -10,8 +10,8 @@
 
 namespace brume {
 
-// Lines of a text, numbered from 1 as the file has them: a byte order mark is skipped, those that "\" continues (but no comment) are one
-// line.
+// Lines of a text, numbered from 1 as the file has them: a byte order mark is skipped, those that "\" continues (but no
+// comment) are one line.
 class TextLines {
  public:
   explicit TextLines(std::string_view text);
@@ -28,7 +28,8 @@ class TextLines {
 // Takes the next word off the line; empty at its end.
 std::string_view word_take(std::string_view& line);
 
-// A name or path that fills the rest of a line: blanks within are part of it, those about it and a comment (" # ...") are not.
+// A name or path that fills the rest of a line: blanks within are part of it, those about it and a comment (" # ...")
+// are not.
 std::string_view name_of(std::string_view rest);
 // The same where "#" begins a comment without a blank behind it: "m #old" is m. Where name_of() finds nothing.
 std::string_view name_before_hash(std::string_view name);

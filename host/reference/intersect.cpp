@@ -118,7 +118,7 @@ HitD triangle_hit(const Triangle& triangle, const RayD& ray) {
   return t > 0 ? HitD{t, PRIMITIVE_NONE, u, v} : HitD{};
 }
 
-void triangles_hit(const FlatScene& scene, std::size_t begin, std::size_t end, const RayD& ray, HitD& nearest) {
+void triangles_hit(const PlannedScene& scene, std::size_t begin, std::size_t end, const RayD& ray, HitD& nearest) {
   for (std::size_t i = begin; i < end; ++i) {
     HitD hit = triangle_hit(scene.triangles[i], ray);
     if (!(hit.t < nearest.t)) continue;
@@ -127,7 +127,7 @@ void triangles_hit(const FlatScene& scene, std::size_t begin, std::size_t end, c
   }
 }
 
-HitD shapes_hit(const FlatScene& scene, const RayD& ray, double t_max) {
+HitD shapes_hit(const PlannedScene& scene, const RayD& ray, double t_max) {
   HitD nearest{t_max};
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
     const double t = SHAPE_HITS[scene.shapes[i].type](scene.shapes[i].data, ray);
@@ -140,7 +140,7 @@ HitD hit_or_miss(const HitD& nearest) { return nearest.primitive == PRIMITIVE_NO
 
 }  // namespace
 
-TriangleBounds::TriangleBounds(const FlatScene& scene) {
+TriangleBounds::TriangleBounds(const PlannedScene& scene) {
   constexpr std::size_t run_length = 32;
   for (std::size_t begin = 0; begin < scene.triangles.size(); begin += run_length) {
     Run run{dvec3(INFINITE), dvec3(-INFINITE), begin, std::min(begin + run_length, scene.triangles.size())};
@@ -157,7 +157,7 @@ TriangleBounds::TriangleBounds(const FlatScene& scene) {
   }
 }
 
-HitD nearest_hit(const FlatScene& scene, const TriangleBounds& bounds, const RayD& ray, double t_max) {
+HitD nearest_hit(const PlannedScene& scene, const TriangleBounds& bounds, const RayD& ray, double t_max) {
   HitD nearest = shapes_hit(scene, ray, t_max);
   for (const TriangleBounds::Run& run : bounds.runs) {
     const Span span = box_span(run.lo, run.hi, ray.origin, ray.dir);
@@ -167,17 +167,17 @@ HitD nearest_hit(const FlatScene& scene, const TriangleBounds& bounds, const Ray
   return hit_or_miss(nearest);
 }
 
-HitD nearest_hit(const FlatScene& scene, const RayD& ray, double t_max) {
+HitD nearest_hit(const PlannedScene& scene, const RayD& ray, double t_max) {
   HitD nearest = shapes_hit(scene, ray, t_max);
   triangles_hit(scene, 0, scene.triangles.size(), ray, nearest);
   return hit_or_miss(nearest);
 }
 
-bool occluded(const FlatScene& scene, const TriangleBounds& bounds, const RayD& ray, double t_max) {
+bool occluded(const PlannedScene& scene, const TriangleBounds& bounds, const RayD& ray, double t_max) {
   return nearest_hit(scene, bounds, ray, t_max).primitive != PRIMITIVE_NONE;
 }
 
-bool occluded(const FlatScene& scene, const RayD& ray, double t_max) {
+bool occluded(const PlannedScene& scene, const RayD& ray, double t_max) {
   return nearest_hit(scene, ray, t_max).primitive != PRIMITIVE_NONE;
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 #include "reference/vec.hpp"
 
 namespace brume::reference {
@@ -20,16 +20,16 @@ struct TriangleBounds {
     dvec3 lo, hi;
     std::size_t begin, end;
   };
-  explicit TriangleBounds(const FlatScene& scene);
+  explicit TriangleBounds(const PlannedScene& scene);
   std::vector<Run> runs;
 };
 
 // The nearest surface with 0 < t < t_max; of equals the first in the scene.
-HitD nearest_hit(const FlatScene& scene, const TriangleBounds& bounds, const RayD& ray, double t_max = INFINITE);
-HitD nearest_hit(const FlatScene& scene, const RayD& ray, double t_max = INFINITE);
+HitD nearest_hit(const PlannedScene& scene, const TriangleBounds& bounds, const RayD& ray, double t_max = INFINITE);
+HitD nearest_hit(const PlannedScene& scene, const RayD& ray, double t_max = INFINITE);
 
 // Whether any surface has 0 < t < t_max.
-bool occluded(const FlatScene& scene, const TriangleBounds& bounds, const RayD& ray, double t_max);
-bool occluded(const FlatScene& scene, const RayD& ray, double t_max);
+bool occluded(const PlannedScene& scene, const TriangleBounds& bounds, const RayD& ray, double t_max);
+bool occluded(const PlannedScene& scene, const RayD& ray, double t_max);
 
 }  // namespace brume::reference

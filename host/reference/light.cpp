@@ -1,6 +1,7 @@
 // Point, spot and directional lights, as kernels/shared/light.h defines them.
 #include "reference/light.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace brume::reference {
@@ -17,6 +18,26 @@ double spot_share(const Light& light, const dvec3& travel) {
 }
 
 }  // namespace
+
+std::vector<LightPick> light_picks(const PlannedScene& scene, const RandomStream& random, uint n, bool all) {
+  std::vector<LightPick> picks;
+  if (all || scene.light_shares.empty() || scene.frame.light_picks == static_cast<int>(scene.lights.size())) {
+    for (std::size_t i = 0; i < scene.lights.size(); ++i) picks.push_back({i, 1});
+    return picks;
+  }
+  const auto count = static_cast<std::size_t>(scene.frame.light_picks);
+  const auto xi = static_cast<float>(random.child(STREAM_LIGHT_CHOICE).at(n, RANDOM_PLACE));
+  for (std::size_t i = 0; i < count; ++i) {
+    // in single precision, as in the kernels, so that both pick the same lights
+    const float at = (static_cast<float>(i) + xi) / static_cast<float>(count);
+    const auto behind = std::upper_bound(scene.light_shares.begin(), scene.light_shares.end() - 1, at);
+    const auto light = static_cast<std::size_t>(behind - scene.light_shares.begin()) - 1;
+    const float share = scene.light_shares[light + 1] - scene.light_shares[light];
+    picks.push_back({light, 1 / (static_cast<double>(count) * share)});
+  }
+  return picks;
+}
+static_assert(LIGHT_COUNT == 3 && FALLOFF_COUNT == 2, "light_at knows all");
 
 LightSample light_at(const Light& light, const dvec3& point) {
   const dvec3 intensity = vec_promote(light.intensity);

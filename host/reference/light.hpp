@@ -1,5 +1,9 @@
 // What a light would send to a point if nothing stood in between.
 #pragma once
+#include <vector>
+
+#include "flat/render_plan.hpp"
+#include "reference/random.hpp"
 #include "reference/vec.hpp"
 #include "shared/light.h"
 
@@ -11,6 +15,14 @@ struct LightSample {
   double distance = 0;  // to the light; infinite for a directional one
   bool shines() const { return irradiance.x > 0 || irradiance.y > 0 || irradiance.z > 0; }
 };
+
+// Which lights a point asks, each with what its light counts: all, or some chosen (FlatScene::light_shares). random: of
+// the ray or walk, n: the number of the segment, 0 for a surface. `all`: none are chosen.
+struct LightPick {
+  std::size_t light;
+  double weight;
+};
+std::vector<LightPick> light_picks(const PlannedScene& scene, const RandomStream& random, uint n, bool all = false);
 
 // At the very position of a point or spot light there is no direction: E is 0 there.
 LightSample light_at(const Light& light, const dvec3& point);

@@ -36,7 +36,7 @@ struct Crossing {
 };
 
 Crossing crossing_of(const Medium& medium, const LightGrid& grid, const Column& column, int k) {
-  const double margin = grid.reach > 0 ? 1 : 0;
+  const double margin = grid.column_step > 0 ? 1 : 0;
   const auto inside = [&](int at, double slope, int n, bool& moved) {
     const double begin = slope * k + margin, end = begin + n - 1 - 3 * margin;
     const double to = std::clamp(static_cast<double>(at), begin + LIGHT_GRID_INSET, end - LIGHT_GRID_INSET);
@@ -66,9 +66,9 @@ void column_fill(const Context& context, const Medium& medium, std::size_t light
     double lookups = 0;
     if (sample.shines())
       here = (before ? *before : dvec3(0)) + media_tau(context, {crossing.point, -sample.travel},
-                                                       before ? static_cast<double>(grid.reach) : sample.distance,
+                                                       before ? static_cast<double>(grid.column_step) : sample.distance,
                                                        random.child(static_cast<uint>(k)), lookups);
-    before = grid.reach > 0 && !crossing.moved ? &here : nullptr;
+    before = grid.column_step > 0 && !crossing.moved ? &here : nullptr;
   }
 }
 
@@ -87,8 +87,8 @@ LightDepths light_grids_make(const Context& context, const Medium& medium) {
   return depths;
 }
 
-const LightGrid& light_grid_of(const FlatScene& scene, const Medium& medium, std::size_t light) {
-  return scene.light_grids.at(static_cast<std::size_t>(medium.light_grids - 1) + light);
+const LightGrid& light_grid_of(const PlannedScene& scene, const Medium& medium, std::size_t light) {
+  return scene.light_grids.at(static_cast<std::size_t>(medium.light_grids) + light);
 }
 
 dvec3 light_grid_tau(const LightDepths& depths, const LightGrid& grid, const Medium& medium, std::size_t light,

@@ -10,7 +10,7 @@
 namespace brume::reference {
 namespace {
 
-const Medium& medium_of(const FlatScene& scene, int index) { return scene.media[static_cast<std::size_t>(index)]; }
+Medium medium_of(const PlannedScene& scene, int index) { return scene.medium(static_cast<std::size_t>(index)); }
 
 Interval box_interval(const dvec3& lo, const dvec3& hi, const RayD& ray, Interval span) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -32,15 +32,13 @@ Interval ellipsoid_interval(const dvec3& lo, const dvec3& hi, const RayD& ray, I
   const dvec3 closest = origin + middle * dir;
   const double square = (1 - glm::dot(closest, closest)) / a;
   if (square <= 0) return {0, 0};
-  const double reach = std::sqrt(square);
-  return {std::max(span.t0, middle - reach), std::min(span.t1, middle + reach)};
+  const double chord = std::sqrt(square);
+  return {std::max(span.t0, middle - chord), std::min(span.t1, middle + chord)};
 }
 
 // Samples of one cell's brick, or nullptr where the brick is empty.
-const float* brick_of(const FlatScene& scene, const Medium& medium, const ivec3& cell) {
-  const ivec3 brick = cell / BRICK_CELLS;
-  const int index = (brick.z * medium.brick_ny + brick.y) * medium.brick_nx + brick.x;
-  const int entry = scene.bricks[static_cast<std::size_t>(medium.brick_offset) + static_cast<std::size_t>(index)];
+const float* brick_of(const PlannedScene& scene, const Medium& medium, const ivec3& cell) {
+  const int entry = brick_number(scene, medium, cell);
   return entry == BRICK_EMPTY ? nullptr : &scene.voxels[static_cast<std::size_t>(entry) * BRICK_VALUES];
 }
 
@@ -65,8 +63,11 @@ std::vector<double> cell_crossings(const RayD& ray, double t0, double t1) {
   return crossings;
 }
 
+static_assert(RULE_COUNT == 5 && PLACEMENT_COUNT == 3, "dda_rule, march_visit and segments_visit know all");
+static_assert(INTERPOLATION_COUNT == 2, "density_in_cell knows all");
+
 // ∫ρ over a segment within one cell.
-double dda_rule(const FlatScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment, int rule) {
+double dda_rule(const PlannedScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment, int rule) {
   const double length = segment.t_end - segment.t_begin, middle = segment.middle();
   const auto density = [&](double t) { return density_in_cell(scene, medium, segment.cell, ray.at(t)); };
   const double apart = length / (2 * std::sqrt(3.0));
@@ -94,7 +95,7 @@ double march_share(int method, const RandomStream& random, uint i) {
 }
 
 template <class Visit>
-void dda_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, const Interval& span, int method,
+void dda_visit(const PlannedScene& scene, const Medium& medium, const RayD& ray, const Interval& span, int method,
                Visit visit) {
   const std::vector<double> crossings = cell_crossings(ray, span.t0, span.t1);
   for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
@@ -108,7 +109,7 @@ void dda_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, co
 }
 
 template <class Visit>
-void march_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, const Interval& span, int method,
+void march_visit(const PlannedScene& scene, const Medium& medium, const RayD& ray, const Interval& span, int method,
                  const RandomStream& random, Visit visit) {
   const double length = span.t1 - span.t0;
   const double count = std::max(1.0, std::ceil(length / medium.step - 1.0 / 1024));
@@ -125,8 +126,8 @@ void march_visit(const FlatScene& scene, const Medium& medium, const RayD& ray, 
 
 // Calls visit(segment) from front to back.
 template <class Visit>
-void segments_visit(const FlatScene& scene, const Medium& medium, const RayD& world, const Interval& span, int method,
-                    const RandomStream& random, Visit visit) {
+void segments_visit(const PlannedScene& scene, const Medium& medium, const RayD& world, const Interval& span,
+                    int method, const RandomStream& random, Visit visit) {
   if (span.empty()) return;
   const RayD ray = ray_to_cells(medium, world);
   if (method_placement(method) == PLACEMENT_STEPS)
@@ -155,7 +156,21 @@ ivec3 cell_at(const Medium& medium, const dvec3& p) {
   return ivec3(glm::clamp(glm::floor(p), first, last));
 }
 
-double density_in_cell(const FlatScene& scene, const Medium& medium, const ivec3& cell, const dvec3& p) {
+int brick_number(const PlannedScene& scene, const Medium& medium, const ivec3& cell) {
+  const auto place = [](const ivec3& i, int nx, int ny) {
+    return (static_cast<std::size_t>(i.z) * static_cast<std::size_t>(ny) + static_cast<std::size_t>(i.y)) *
+               static_cast<std::size_t>(nx) +
+           static_cast<std::size_t>(i.x);
+  };
+  const auto blocks = [](int bricks) { return (bricks - 1) / BRICK_BLOCK + 1; };
+  const ivec3 brick = cell / BRICK_CELLS;
+  const std::size_t block = static_cast<std::size_t>(medium.brick_offset) +
+                            place(brick / BRICK_BLOCK, blocks(medium.brick_nx), blocks(medium.brick_ny));
+  return scene
+      .bricks[static_cast<std::size_t>(scene.bricks[block]) + place(brick % BRICK_BLOCK, BRICK_BLOCK, BRICK_BLOCK)];
+}
+
+double density_in_cell(const PlannedScene& scene, const Medium& medium, const ivec3& cell, const dvec3& p) {
   if (medium.is_constant) return medium.constant_density;
   const float* samples = brick_of(scene, medium, cell);
   if (!samples) return 0;
@@ -173,23 +188,23 @@ double density_in_cell(const FlatScene& scene, const Medium& medium, const ivec3
   return front * (1 - w.z) + back * w.z;
 }
 
-double density_at(const FlatScene& scene, const Medium& medium, const dvec3& p) {
+double density_at(const PlannedScene& scene, const Medium& medium, const dvec3& p) {
   const dvec3 inside = glm::clamp(p, vec_promote(medium.lo), vec_promote(medium.hi));
   return density_in_cell(scene, medium, cell_at(medium, inside), inside);
 }
 
-std::vector<SegmentD> segments(const FlatScene& scene, int medium, const RayD& ray, double t0, double t1, int method,
+std::vector<SegmentD> segments(const PlannedScene& scene, int medium, const RayD& ray, double t0, double t1, int method,
                                const RandomStream& random) {
   std::vector<SegmentD> found;
-  const Medium& m = medium_of(scene, medium);
+  const Medium m = medium_of(scene, medium);
   segments_visit(scene, m, ray, medium_interval(m, ray, t0, t1), method, random,
                  [&](const SegmentD& s) { found.push_back(s); });
   return found;
 }
 
-double optical_depth(const FlatScene& scene, int medium, const RayD& ray, double t_max, int method, double* lookups,
+double optical_depth(const PlannedScene& scene, int medium, const RayD& ray, double t_max, int method, double* lookups,
                      const RandomStream& random) {
-  const Medium& m = medium_of(scene, medium);
+  const Medium m = medium_of(scene, medium);
   const Interval span = medium_interval(m, ray, 0, t_max);
   if (span.empty()) return 0;
   if (method == METHOD_HOMOGENEOUS) return m.constant_density * (span.t1 - span.t0);
@@ -202,7 +217,8 @@ double optical_depth(const FlatScene& scene, int medium, const RayD& ray, double
   return depth;
 }
 
-double density_length_gauss2(const FlatScene& scene, const Medium& medium, const RayD& world, const SegmentD& segment) {
+double density_length_gauss2(const PlannedScene& scene, const Medium& medium, const RayD& world,
+                             const SegmentD& segment) {
   return dda_rule(scene, medium, ray_to_cells(medium, world), segment, RULE_GAUSS2);
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 #include "reference/random.hpp"
 #include "reference/vec.hpp"
 
@@ -23,9 +23,12 @@ Interval medium_interval(const Medium& medium, const RayD& world, double t_min, 
 // The cell of a position by the half-open rule; beyond the region's border the outermost cell.
 ivec3 cell_at(const Medium& medium, const dvec3& cell_position);
 
+// Number of the stored brick in which a cell of the grid lies, or BRICK_EMPTY.
+int brick_number(const PlannedScene& scene, const Medium& medium, const ivec3& cell);
+
 // Density by the medium's own interpolation; the second form blends the samples of a cell that is already known.
-double density_at(const FlatScene& scene, const Medium& medium, const dvec3& cell_position);
-double density_in_cell(const FlatScene& scene, const Medium& medium, const ivec3& cell, const dvec3& cell_position);
+double density_at(const PlannedScene& scene, const Medium& medium, const dvec3& cell_position);
+double density_in_cell(const PlannedScene& scene, const Medium& medium, const ivec3& cell, const dvec3& cell_position);
 
 struct SegmentD {
   double t_begin, t_end;
@@ -36,18 +39,18 @@ struct SegmentD {
   double middle() const { return 0.5 * (t_begin + t_end); }
 };
 
-// The segments of one medium (an index into FlatScene::media) within [t0, t1], in order and without gaps; none has
+// The segments of one medium (an index into PlannedScene::media) within [t0, t1], in order and without gaps; none has
 // length 0. `random` places the samples of marchers with jitter.
-std::vector<SegmentD> segments(const FlatScene& scene, int medium, const RayD& ray, double t0, double t1, int method,
+std::vector<SegmentD> segments(const PlannedScene& scene, int medium, const RayD& ray, double t0, double t1, int method,
                                const RandomStream& random = {});
 
 // ∫ρ dt over [0, t_max] by the method, without coefficients. Adds to *lookups, if given, the evaluations of the
 // density.
-double optical_depth(const FlatScene& scene, int medium, const RayD& ray, double t_max, int method,
+double optical_depth(const PlannedScene& scene, int medium, const RayD& ray, double t_max, int method,
                      double* lookups = nullptr, const RandomStream& random = {});
 
 // ∫ρ dt by two-point Gauss over any piece of a segment within one cell: its t_begin, t_end and cell count.
-double density_length_gauss2(const FlatScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment);
+double density_length_gauss2(const PlannedScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment);
 
 // Evaluations of the density that one segment of the method costs: 0 in a constant medium.
 int segment_lookups(const Medium& medium, int method);

@@ -24,17 +24,19 @@ struct Lit {
 
 Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& view_dir, const RandomStream& random,
                   double& lookups) {
-  const FlatScene& scene = context.scene;
+  const PlannedScene& scene = context.scene;
   const Material& material = scene.materials[static_cast<std::size_t>(surface.material)];
   Lit lit{surface.emission + vec_promote(material.ambient) * vec_promote(scene.frame.ambient)};
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const dvec3 to_light = -light_at(scene.lights[i], surface.point).travel;
+  uint n = 0;
+  for (const LightPick& pick : light_picks(scene, random, 0, context.exact())) {
+    const RandomStream shadow = random.child(STREAM_LIGHT + n++);
+    const dvec3 to_light = -light_at(scene.lights[pick.light], surface.point).travel;
     if (!(glm::dot(surface.normal, to_light) > 0)) continue;
     const dvec3 origin = surface_leave(surface, to_light);
-    const Arrival arrival = light_arrival(context, i, surface.point, origin, random, lookups);
+    const Arrival arrival = light_arrival(context, pick.light, surface.point, origin, shadow, lookups);
     if (arrival.blocked) continue;
-    lit.lights |= 1u << (i % 32);
-    lit.radiance += arrival.irradiance * surface_reflect(scene, surface, view_dir, arrival.light.travel);
+    lit.lights |= 1u << (pick.light % 32);
+    lit.radiance += pick.weight * arrival.irradiance * surface_reflect(scene, surface, view_dir, arrival.light.travel);
   }
   return lit;
 }
@@ -46,13 +48,17 @@ uint sample_key(int primitive, uint lit, uint shadow_key, int second) {
 
 // Trackers that take another number of collisions take another way.
 uint walked(const Context& context, uint shadow_key, double lookups) {
-  for (const Medium& medium : context.scene.media)
+  for (const Medium& medium : context.media)
     if (method_tracks(medium.method) && !context.exact()) return shadow_key + static_cast<uint>(lookups);
   return shadow_key;
 }
 
+// squares: the deviation from the mean before times that from the mean with the sample [Welford62].
 void pixel_add(PixelD& sum, const PixelD& sample) {
+  const dvec3 before = sum.radiance / std::max(sum.samples, 1.0);
   sum.radiance += sample.radiance;
+  const dvec3 after = sum.radiance / (sum.samples + 1);
+  if (sum.samples > 0) sum.squares += (sample.radiance - before) * (sample.radiance - after);
   sum.normal += sample.normal;
   sum.transmittance += sample.transmittance;
   sum.samples += sample.samples;
@@ -71,6 +77,7 @@ FilmPixel film_pixel(const PixelD& p) {
   FilmPixel pixel{};
   pixel.radiance = pack(p.radiance);
   pixel.samples = static_cast<float>(p.samples);
+  pixel.squares = pack(p.squares);
   pixel.normal = pack(p.normal);
   pixel.depth = static_cast<float>(p.depth);
   pixel.transmittance = pack(p.transmittance);
@@ -84,8 +91,8 @@ FilmPixel film_pixel(const PixelD& p) {
   return pixel;
 }
 
-// depth: bounces before a ray. heirs: how many rays it may send on, those that these send on included; in single precision, as in the
-// kernels, so that both drop the same rays. weight: of its light in the sample.
+// depth: bounces before a ray. heirs: how many rays it may send on, those that these send on included; in single
+// precision, as in the kernels, so that both drop the same rays. weight: of its light in the sample.
 struct PathState {
   RandomStream random;
   int depth = 0;
@@ -144,7 +151,7 @@ void specular_add(const Context& context, const SurfaceD& surface, const RayD& r
 
 PixelD path_render(const Context& context, const RayD& ray, const PathState& path) {
   const RandomStream& random = path.random;
-  const FlatScene& scene = context.scene;
+  const PlannedScene& scene = context.scene;
   const HitD hit = nearest_hit(scene, context.bounds, ray);
   const Scattered media = media_scatter(context, ray, hit.t, random);
 
@@ -174,7 +181,7 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
 }
 
 // Planes have no bounds: a camera ray that begins behind some begins anew before the first of them.
-FrameRayD start_before_planes(const FlatScene& scene, const FrameRayD& from) {
+FrameRayD start_before_planes(const PlannedScene& scene, const FrameRayD& from) {
   double back = 0;
   for (const Shape& shape : scene.shapes) {
     if (shape.type != SHAPE_PLANE) continue;
@@ -198,16 +205,15 @@ PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& r
   return path_render(context, ray, {random, 0, whole ? INFINITY : float(SECONDARY_RAYS_MAX), dvec3(1)});
 }
 
-PixelD pixel_render(const Context& context, int x, int y) {
+PixelD pixel_render(const Context& context, int x, int y, const std::function<RayD(const RayD&)>& moved) {
   const Frame& frame = context.scene.frame;
   const uint pixel = static_cast<uint>(y) * static_cast<uint>(frame.camera.width) + static_cast<uint>(x);
   PixelD sum;
   for (int sample = 0; sample < std::max(1, frame.camera.spp); ++sample) {
-    const double xi0 = rng_uniform(pixel, static_cast<uint>(sample), 0, frame.seed);
-    const double xi1 = rng_uniform(pixel, static_cast<uint>(sample), 1, frame.seed);
-    const dvec2 position = pixel_position(sample, frame.camera.spp, xi0, xi1);
+    const dvec2 position = pixel_position(pixel, static_cast<uint>(sample), frame.camera.spp, frame.seed);
     const FrameRayD camera = start_before_planes(context.scene, frame_ray(frame, x, y, position));
-    PixelD one = ray_render(context, camera.ray, {pixel, static_cast<uint>(sample), frame.seed});
+    PixelD one =
+        ray_render(context, moved ? moved(camera.ray) : camera.ray, {pixel, static_cast<uint>(sample), frame.seed});
     one.depth = (one.depth + one.hits * camera.start) * context.scene.unit;
     if (is_valid(one)) {
       pixel_add(sum, one);
@@ -218,7 +224,7 @@ PixelD pixel_render(const Context& context, int x, int y) {
   return sum;
 }
 
-void render(const FlatScene& scene, Film& film, const Options& options) {
+void render(const PlannedScene& scene, Film& film, const Options& options) {
   const Frame& frame = scene.frame;
   const int width = frame.camera.width, height = frame.camera.height;
   if (film.size().x != width || film.size().y != height)

@@ -1,4 +1,4 @@
-// Random numbers, strata and camera rays: see the header and ARCHITECTURE.md.
+// Random numbers, positions within a pixel and camera rays: see the header and ARCHITECTURE.md.
 #include "reference/sampling.hpp"
 
 #include <algorithm>
@@ -15,30 +15,55 @@ void pcg4d_mix(std::array<uint, 4>& v) {
   v[3] += v[1] * v[2];
 }
 
-// First sample of column j when `spp` samples share `columns` columns.
-int column_first(int j, int spp, int columns) {
-  return static_cast<int>((std::int64_t(j) * spp + columns - 1) / columns);
+uint bits_reversed(uint x) {
+  uint reversed = 0;
+  for (int bit = 0; bit < 32; ++bit) reversed |= (x >> bit & 1u) << (31 - bit);
+  return reversed;
 }
+
+// Moves binary digits, the first one in the highest bit; a digit moves by what stands before it and by the seed.
+uint owen_scrambled(uint digits, uint seed) {
+  uint x = bits_reversed(digits);
+  x = x ^ 0x3d20adeau * x;
+  x = (x + seed) * (seed / 65536u | 1u);
+  x = x ^ 0x05526c56u * x;
+  x = x ^ 0x53a22864u * x;
+  return bits_reversed(x);
+}
+
+double uniform(uint bits) { return (bits >> 8) * 0x1p-24; }
 
 }  // namespace
 
-double rng_uniform(uint pixel, uint sample, uint dimension, uint seed) {
+uint rng_bits(uint pixel, uint sample, uint dimension, uint seed) {
   std::array<uint, 4> v{pixel, sample, dimension, seed};
   for (uint& x : v) x = x * 1664525u + 1013904223u;
   pcg4d_mix(v);
   for (uint& x : v) x ^= x >> 16;
   pcg4d_mix(v);
-  return (v[0] >> 8) * 0x1p-24;
+  return v[0];
 }
 
-dvec2 pixel_position(int sample, int spp, double xi0, double xi1) {
-  if (spp <= 1) return {0.5, 0.5};
-  const int columns = static_cast<int>(std::sqrt(static_cast<double>(spp)));
-  const int column = static_cast<int>(std::int64_t(sample) * columns / spp);
-  const int first = column_first(column, spp, columns);
-  const int count = column_first(column + 1, spp, columns) - first;
-  return {(first + xi0 * count) / spp, (sample - first + xi1) / count};
+double rng_uniform(uint pixel, uint sample, uint dimension, uint seed) {
+  return uniform(rng_bits(pixel, sample, dimension, seed));
 }
+
+uint sobol(uint index, int dimension) {
+  uint direction = 1u << 31, digits = 0;
+  for (; index != 0; index >>= 1) {
+    if (index & 1u) digits ^= direction;
+    direction = dimension == 0 ? direction >> 1 : direction ^ (direction >> 1);
+  }
+  return digits;
+}
+
+dvec2 pixel_position(uint pixel, uint sample, int spp, uint seed) {
+  if (spp <= 1) return {0.5, 0.5};
+  return {uniform(owen_scrambled(sobol(sample, 0), rng_bits(pixel, 0, 0, seed))),
+          uniform(owen_scrambled(sobol(sample, 1), rng_bits(pixel, 0, 1, seed)))};
+}
+
+static_assert(CAMERA_COUNT == 2, "camera_ray knows all");
 
 RayD camera_ray(const Camera& camera, int x, int y, const dvec2& position) {
   const double film_x = 2 * (x + position.x) / camera.width - 1;

@@ -6,12 +6,18 @@
 
 namespace brume::reference {
 
-// Uniform in [0,1), a multiple of 2⁻²⁴ [Jarzynski20, pcg4d].
+// Every 32-bit number equally likely [Jarzynski20, pcg4d].
+uint rng_bits(uint pixel, uint sample, uint dimension, uint seed);
+
+// The upper 24 of them: uniform in [0,1), a multiple of 2⁻²⁴.
 double rng_uniform(uint pixel, uint sample, uint dimension, uint seed);
 
-// Position within the pixel, (0,0) its top left corner. Needs 0 <= sample < spp; xi0, xi1 in [0,1) are not read when
-// spp is 1.
-dvec2 pixel_position(int sample, int spp, double xi0, double xi1);
+// Point `index` of Sobol's sequence in dimension 0 or 1, times 2³² [Sobol67].
+uint sobol(uint index, int dimension);
+
+// Position of sample `sample` within its pixel, (0,0) the pixel's top left corner: multiples of 2⁻²⁴ in [0,1), the
+// centre where spp is 1 [Burley20] [Vegdahl21]. Depends on spp in nothing else.
+dvec2 pixel_position(uint pixel, uint sample, int spp, uint seed);
 
 // The ray of one sample of pixel (x, y), y = 0 at the top, through its point beside the camera's `axis`.
 RayD camera_ray(const Camera& camera, int x, int y, const dvec2& position);

@@ -1,5 +1,5 @@
-// Depths of media and light at a point: see the header and ARCHITECTURE.md. What media scatter is in scatter_segments.cpp, the exact
-// integral in scatter_exact.cpp.
+// Depths of media and light at a point: see the header and ARCHITECTURE.md. What media scatter is in
+// scatter_segments.cpp, the exact integral in scatter_exact.cpp.
 #include "reference/scatter.hpp"
 
 #include <algorithm>
@@ -16,10 +16,16 @@ namespace {
 
 dvec3 each_channel(double (*function)(double), const dvec3& v) { return {function(v.x), function(v.y), function(v.z)}; }
 
+std::vector<Medium> media_of(const PlannedScene& flat) {
+  std::vector<Medium> media;
+  for (std::size_t i = 0; i < flat.media.size(); ++i) media.push_back(flat.medium(i));
+  return media;
+}
+
 // Transmittance of one medium by tracking.
 dvec3 tracked_transmittance(const Context& context, int index, const RayD& ray, double t_max,
                             const RandomStream& random, double& lookups) {
-  const Medium& medium = context.scene.media[static_cast<std::size_t>(index)];
+  const Medium& medium = context.media[static_cast<std::size_t>(index)];
   const dvec3 sigma_t = sigma_t_of(medium);
   dvec3 transmittance(1);
   if (sigma_t == dvec3(0)) return transmittance;
@@ -48,9 +54,9 @@ dvec3 tau_of(const dvec3& transmittance) { return -each_channel(std::log, transm
 dvec3 media_tau_beside(const Context& context, int medium, const RayD& ray, double t, const RandomStream& random,
                        double& lookups) {
   dvec3 tau(0);
-  for (int other = 0; other < static_cast<int>(context.scene.media.size()); ++other) {
+  for (int other = 0; other < static_cast<int>(context.media.size()); ++other) {
     if (other == medium) continue;
-    const Medium& m = context.scene.media[static_cast<std::size_t>(other)];
+    const Medium& m = context.media[static_cast<std::size_t>(other)];
     const RandomStream walk = random.child(static_cast<uint>(other));
     const int method = context.method(m);
     tau += method_tracks(method) ? tau_of(tracked_transmittance(context, other, ray, t, walk, lookups))
@@ -63,10 +69,10 @@ dvec3 media_tau(const Context& context, const RayD& ray, double t_max, const Ran
   return media_tau_beside(context, -1, ray, t_max, random, lookups);
 }
 
-Context::Context(const FlatScene& flat, const Options& options)
-    : scene(flat), bounds(flat), nodes(gauss_legendre(options.scatter_order)) {
-  for (const Medium& medium : flat.media)
-    light_depths.push_back(medium.light_grids > 0 && !exact() ? light_grids_make(*this, medium) : LightDepths{});
+Context::Context(const PlannedScene& flat, const Options& options)
+    : scene(flat), media(media_of(flat)), bounds(flat), nodes(gauss_legendre(options.scatter_order)) {
+  for (const Medium& medium : media)
+    light_depths.push_back(medium.light_grids >= 0 && !exact() ? light_grids_make(*this, medium) : LightDepths{});
 }
 
 Arrival light_arrival(const Context& context, std::size_t index, const dvec3& point, const dvec3& ray_origin,
@@ -77,9 +83,7 @@ Arrival light_arrival(const Context& context, std::size_t index, const dvec3& po
   const RayD shadow{ray_origin, -arrival.light.travel};
   arrival.blocked = occluded(context.scene, context.bounds, shadow, arrival.light.distance);
   if (arrival.blocked || !arrival.light.shines()) return arrival;
-  const dvec3 tau = media ? *media
-                          : media_tau(context, shadow, arrival.light.distance,
-                                      random.child(STREAM_LIGHT + static_cast<uint>(index)), lookups);
+  const dvec3 tau = media ? *media : media_tau(context, shadow, arrival.light.distance, random, lookups);
   arrival.irradiance = arrival.light.irradiance * transmittance_of(tau);
   return arrival;
 }
@@ -87,8 +91,8 @@ Arrival light_arrival(const Context& context, std::size_t index, const dvec3& po
 Scattered media_scatter(const Context& context, const RayD& ray, double t_max, const RandomStream& random) {
   if (context.exact()) return media_scatter_exact(context, ray, t_max);
   Scattered result;
-  for (int medium = 0; medium < static_cast<int>(context.scene.media.size()); ++medium) {
-    medium_scatter(context, medium, ray, t_max, random.child(static_cast<uint>(medium)), result);
+  for (int medium = 0; medium < static_cast<int>(context.media.size()); ++medium) {
+    medium_scatter(context, medium, ray, t_max, random, result);
   }
   return result;
 }

@@ -25,9 +25,10 @@ struct LightDepths {
 
 // What all samples share.
 struct Context {
-  Context(const FlatScene& flat, const Options& options);
+  Context(const PlannedScene& flat, const Options& options);
 
-  const FlatScene& scene;
+  const PlannedScene& scene;
+  std::vector<Medium> media;  // its media with everything about them
   TriangleBounds bounds;
   std::vector<QuadratureNode> nodes;      // empty for the segment rule
   std::vector<LightDepths> light_depths;  // one per medium, empty where light is traced
@@ -55,7 +56,7 @@ struct Arrival {
   bool blocked;      // by a surface
   dvec3 irradiance;  // E·V·T_light
 };
-// `random` is that of the ray or segment that asks. media: τ of all media to the light where it is known already.
+// `random` is that of the shadow ray. media: τ of all media to the light where it is known already.
 Arrival light_arrival(const Context& context, std::size_t light, const dvec3& point, const dvec3& ray_origin,
                       const RandomStream& random, double& lookups, const dvec3* media = nullptr);
 

@@ -16,9 +16,9 @@ struct Piece {
   RayD ray;  // in the medium's cell space
   ivec3 cell;
 
-  double density(const FlatScene& scene, double t) const { return density_in_cell(scene, *medium, cell, ray.at(t)); }
+  double density(const PlannedScene& scene, double t) const { return density_in_cell(scene, *medium, cell, ray.at(t)); }
   // ∫ρ over [a, b]: 2-point Gauss is exact for the cubic of a trilinear cell
-  double density_length(const FlatScene& scene, double a, double b) const {
+  double density_length(const PlannedScene& scene, double a, double b) const {
     const double middle = 0.5 * (a + b), apart = (b - a) / (2 * std::sqrt(3.0));
     return (b - a) / 2 * (density(scene, middle - apart) + density(scene, middle + apart));
   }
@@ -26,8 +26,8 @@ struct Piece {
 
 std::vector<double> borders_of_all(const Context& context, const RayD& ray, double t_max) {
   std::vector<double> borders;
-  for (int i = 0; i < static_cast<int>(context.scene.media.size()); ++i) {
-    const Medium& medium = context.scene.media[static_cast<std::size_t>(i)];
+  for (int i = 0; i < static_cast<int>(context.media.size()); ++i) {
+    const Medium& medium = context.media[static_cast<std::size_t>(i)];
     for (const SegmentD& segment : segments(context.scene, i, ray, 0, t_max, method_exact(medium))) {
       borders.push_back(segment.t_begin);
       borders.push_back(segment.t_end);
@@ -40,7 +40,7 @@ std::vector<double> borders_of_all(const Context& context, const RayD& ray, doub
 
 void pieces_at(const Context& context, const RayD& ray, double t_max, double middle, std::vector<Piece>& pieces) {
   pieces.clear();
-  for (const Medium& medium : context.scene.media) {
+  for (const Medium& medium : context.media) {
     const Interval span = medium_interval(medium, ray, 0, t_max);
     if (!(middle > span.t0 && middle < span.t1)) continue;
     const RayD in_cells = ray_to_cells(medium, ray);

@@ -16,8 +16,8 @@ namespace {
 // Mean of exp(-t) over [0, x], also for x < 0.
 double mean_exp(double x) { return x == 0 ? 1 : -std::expm1(-x) / x; }
 
-// ∫ρT over a segment by the rule of the frame: `integral` is ∫ρ over it, `before` the optical depth up to it and `depth` that
-// over it.
+// ∫ρT over a segment by the rule of the frame: `integral` is ∫ρ over it, `before` the optical depth up to it and
+// `depth` that over it.
 double gain_of(int rule, double integral, double before, double depth) {
   if (rule == IN_SCATTERING_RECTANGLE) return std::exp(-(before + depth)) * integral;
   return std::exp(-before) * mean_exp(depth) * integral;
@@ -30,7 +30,9 @@ double mean_between(double a, double b) { return std::exp(-std::min(a, b)) * mea
 struct Segment {
   int medium;
   double t;
-  RandomStream random;
+  RandomStream walk;    // of the walk that it belongs to,
+  uint id;              // which number it has there,
+  RandomStream random;  // and its own
   bool dense = false;
   double begin = 0, end = 0;
   dvec3 depth{0};  // of all media over it
@@ -39,7 +41,7 @@ struct Segment {
 // τ of all media from a point in a medium to a light, by its light grid if it has one.
 dvec3 light_depth(const Context& context, int index, std::size_t light, const dvec3& point, const RandomStream& random,
                   double& lookups) {
-  const Medium& medium = context.scene.media[static_cast<std::size_t>(index)];
+  const Medium& medium = context.media[static_cast<std::size_t>(index)];
   const LightDepths& depths = context.light_depths[static_cast<std::size_t>(index)];
   if (depths.tau.empty()) {
     const LightSample sample = light_at(context.scene.lights[light], point);
@@ -49,15 +51,15 @@ dvec3 light_depth(const Context& context, int index, std::size_t light, const dv
   return light_grid_tau(depths, light_grid_of(context.scene, medium, light), medium, light, point);
 }
 
-// Mean of T to a light over a segment, weighted with the segment's own ρT.
-dvec3 light_transmittance(const Context& context, const Segment& at, std::size_t light, const RayD& ray,
+// Mean of T to a light, that of shadow ray n, over a segment, weighted with the segment's own ρT.
+dvec3 light_transmittance(const Context& context, const Segment& at, std::size_t light, uint n, const RayD& ray,
                           double& lookups) {
-  const auto l = static_cast<uint>(light);
   const auto depth = [&](double t, uint stream) {
-    return light_depth(context, at.medium, light, ray.at(t), at.random.child(stream + l), lookups);
+    return light_depth(context, at.medium, light, ray.at(t), at.random.child(stream + n), lookups);
   };
   if (!at.dense) return transmittance_of(depth(at.t, STREAM_LIGHT));
-  // from inside both ends, of which one may lie on a face of a medium along which light travels, and on in a straight line
+  // from inside both ends, of which one may lie on a face of a medium along which light travels, and on in a straight
+  // line
   const double inset = 1.0 / 16384, length = at.end - at.begin;
   const dvec3 near = depth(at.begin + inset * length, STREAM_LIGHT),
               far = depth(at.end - inset * length, STREAM_LIGHT_END), slope = (far - near) / (1 - 2 * inset);
@@ -69,16 +71,19 @@ dvec3 light_transmittance(const Context& context, const Segment& at, std::size_t
 
 // S of a segment, and into shadow_key the lights that a surface keeps from its t.
 dvec3 source_at(const Context& context, const Segment& at, const RayD& ray, Scattered& result) {
-  const Medium& medium = context.scene.media[static_cast<std::size_t>(at.medium)];
+  const Medium& medium = context.media[static_cast<std::size_t>(at.medium)];
   dvec3 source(0);
   if (vec_promote(medium.sigma_s) == dvec3(0)) return source;
   const dvec3 point = ray.at(at.t), nothing(0);
-  for (std::size_t i = 0; i < context.scene.lights.size(); ++i) {
-    const Arrival arrival = light_arrival(context, i, point, point, at.random, result.lookups, &nothing);
+  uint n = 0;
+  for (const LightPick& pick : light_picks(context.scene, at.walk, at.id)) {
+    const uint shadow = n++;
+    const Arrival arrival = light_arrival(context, pick.light, point, point, {}, result.lookups, &nothing);
     if (!arrival.light.shines()) continue;
-    if (arrival.blocked) result.shadow_key += static_cast<uint>(i + 1);
+    if (arrival.blocked) result.shadow_key += static_cast<uint>(pick.light + 1);
     if (arrival.irradiance == dvec3(0)) continue;
-    source += arrival.irradiance * light_transmittance(context, at, i, ray, result.lookups) *
+    source += pick.weight * arrival.irradiance *
+              light_transmittance(context, at, pick.light, shadow, ray, result.lookups) *
               phase_eval(medium.phase, medium.g, glm::dot(arrival.light.travel, -ray.dir));
   }
   return source;
@@ -86,11 +91,11 @@ dvec3 source_at(const Context& context, const Segment& at, const RayD& ray, Scat
 
 // What a medium sends to the origin of the ray from one place: σs S + emission.
 dvec3 sent_from(const Context& context, const Segment& at, const RayD& ray, Scattered& result) {
-  const Medium& medium = context.scene.media[static_cast<std::size_t>(at.medium)];
+  const Medium& medium = context.media[static_cast<std::size_t>(at.medium)];
   return vec_promote(medium.sigma_s) * source_at(context, at, ray, result) + vec_promote(medium.emission);
 }
 
-// τ of the other media along a view ray: the sum of its pieces from one asked place to the next.
+// τ of the other media along a view ray where a medium is tracked: an estimate from one asked place to the next.
 struct Others {
   const Context& context;
   int medium;
@@ -105,10 +110,47 @@ struct Others {
   }
 };
 
+// τ of one medium from the origin of a view ray to any t: it is walked once, by its own method.
+class DepthAlong {
+ public:
+  DepthAlong(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& walk,
+             double& lookups)
+      : scene_(context.scene), medium_(context.media[static_cast<std::size_t>(index)]), ray_(ray) {
+    gauss2_ = method_rule(context.method(medium_)) == RULE_GAUSS2;
+    segments_ = segments(scene_, index, ray, 0, t_max, context.method(medium_), walk);
+    for (const SegmentD& segment : segments_) before_.push_back(before_.back() + segment.density_length);
+    lookups += static_cast<double>(segments_.size()) * segment_lookups(medium_, context.method(medium_));
+  }
+
+  dvec3 to(double t) const {
+    const auto next = std::partition_point(segments_.begin(), segments_.end(),
+                                           [t](const SegmentD& segment) { return segment.t_begin < t; });
+    if (next == segments_.begin()) return dvec3(0);
+    const auto before = before_[static_cast<std::size_t>(next - segments_.begin()) - 1];
+    return sigma_t_of(medium_) * (before + inside(*std::prev(next), t));
+  }
+
+ private:
+  // ∫ρ from where a segment begins to t: as its rule knows the density there, exactly or evenly.
+  double inside(SegmentD segment, double t) const {
+    if (t >= segment.t_end) return segment.density_length;
+    if (!gauss2_) return segment.density_length * (t - segment.t_begin) / (segment.t_end - segment.t_begin);
+    segment.t_end = t;
+    return density_length_gauss2(scene_, medium_, ray_, segment);
+  }
+
+  const PlannedScene& scene_;
+  const Medium& medium_;
+  RayD ray_;
+  bool gauss2_;
+  std::vector<SegmentD> segments_;
+  std::vector<double> before_{0};  // ∫ρ up to each
+};
+
 double largest(const dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
 // A walk through one medium that is not tracked, as ARCHITECTURE.md cuts it into segments and dense ones into parts.
-struct MediumWalk {
+struct SegmentWalk {
   const Context& context;
   const Medium& medium;
   int index, method, rule;
@@ -117,20 +159,25 @@ struct MediumWalk {
   bool takes_ends;  // no medium is tracked
   dvec3 sigma_t, own_tau{0};
   Others others;
+  std::vector<DepthAlong> depths;  // of the other media, where none is tracked
   Scattered& result;
 
   // τ of the other media up to where light is asked for, and along the segment.
-  std::pair<dvec3, dvec3> beside(Others& from, const SegmentD& segment) {
-    const RandomStream random = walk.child(segment.id);
-    if (!takes_ends) return {from.advance(segment.sample, random.child(STREAM_OTHERS), result.lookups), dvec3(0)};
-    const dvec3 begin = from.advance(segment.t_begin, random.child(STREAM_OTHERS), result.lookups);
-    return {begin, from.advance(segment.t_end, random.child(STREAM_OTHERS + 1), result.lookups) - begin};
+  std::pair<dvec3, dvec3> beside(const SegmentD& segment) {
+    if (!takes_ends)
+      return {others.advance(segment.sample, walk.child(segment.id).child(STREAM_OTHERS), result.lookups), dvec3(0)};
+    dvec3 before(0), along(0);
+    for (const DepthAlong& other : depths) {
+      before += other.to(segment.t_begin);
+      along += other.to(segment.t_end) - other.to(segment.t_begin);
+    }
+    return {before, along};
   }
 
   double parts_of(const SegmentD& segment) {
     if (rule != IN_SCATTERING_SEGMENT) return 1;
-    Others ahead = others;
-    const double depth = largest(sigma_t * segment.density_length + beside(ahead, segment).second);
+    const dvec3 along = takes_ends ? beside(segment).second : dvec3(0);
+    const double depth = largest(sigma_t * segment.density_length + along);
     return std::clamp(std::ceil(depth * 8 - 1.0 / 1024), 1.0, 256.0);
   }
 
@@ -150,11 +197,12 @@ struct MediumWalk {
 
   // False: roulette ended the ray.
   bool scatter(const SegmentD& segment) {
-    const auto [other_tau, other_depth] = beside(others, segment);
+    const auto [other_tau, other_depth] = beside(segment);
     const dvec3 depth = sigma_t * segment.density_length + other_depth, before = own_tau + other_tau;
     const bool dense =
         takes_ends && rule == IN_SCATTERING_SEGMENT && largest(depth) > (medium.is_constant ? 1.0 / 512 : 1.0 / 16);
-    const Segment at{index, segment.sample, walk.child(segment.id), dense, segment.t_begin, segment.t_end, depth};
+    const Segment at{index, segment.sample,  walk,          segment.id, walk.child(segment.id),
+                     dense, segment.t_begin, segment.t_end, depth};
     dvec3 gain;
     for (int c = 0; c < 3; ++c) gain[c] = gain_of(rule, segment.density_length, before[c], depth[c]);
     result.radiance += sent_from(context, at, ray, result) * gain;
@@ -181,29 +229,35 @@ struct MediumWalk {
   }
 };
 
-void medium_segments(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& walk,
+void medium_segments(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& random,
                      Scattered& result) {
-  const Medium& medium = context.scene.media[static_cast<std::size_t>(index)];
-  MediumWalk scattering{context,
-                        medium,
-                        index,
-                        context.method(medium),
-                        context.scene.frame.in_scattering,
-                        ray,
-                        walk,
-                        context.scene.frame.takes_ends != 0,
-                        sigma_t_of(medium),
-                        dvec3(0),
-                        {context, index, ray},
-                        result};
+  const Medium& medium = context.media[static_cast<std::size_t>(index)];
+  SegmentWalk scattering{context,
+                         medium,
+                         index,
+                         context.method(medium),
+                         context.scene.frame.in_scattering,
+                         ray,
+                         random.child(static_cast<uint>(index)),
+                         context.scene.frame.takes_ends != 0,
+                         sigma_t_of(medium),
+                         dvec3(0),
+                         {context, index, ray},
+                         {},
+                         result};
+  for (int other = 0; scattering.takes_ends && other < static_cast<int>(context.media.size()); ++other)
+    if (other != index)
+      scattering.depths.emplace_back(context, other, ray, t_max, random.child(static_cast<uint>(other)),
+                                     result.lookups);
   scattering.run(t_max);
   result.tau += scattering.own_tau;
 }
 
 // The same by collisions: each is worth ∫ρ in the mean.
-void medium_track(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& walk,
+void medium_track(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& random,
                   Scattered& result) {
-  const Medium& medium = context.scene.media[static_cast<std::size_t>(index)];
+  const RandomStream walk = random.child(static_cast<uint>(index));
+  const Medium& medium = context.media[static_cast<std::size_t>(index)];
   const dvec3 sigma_t = sigma_t_of(medium);
   dvec3 transmittance(1);
   Others others{context, index, ray};
@@ -211,7 +265,7 @@ void medium_track(const Context& context, int index, const RayD& ray, double t_m
     const CollisionWorth worth = collide(collision, sigma_t, walk, medium.method, transmittance);
     result.lookups += collision.spacing > 0;
     if (worth.weight > 0) {
-      const Segment at{index, collision.t, walk.child(collision.id)};
+      const Segment at{index, collision.t, walk, collision.id, walk.child(collision.id)};
       const dvec3 tau = others.advance(collision.t, at.random.child(STREAM_OTHERS), result.lookups);
       result.radiance += sent_from(context, at, ray, result) * worth.before * transmittance_of(tau) * worth.weight;
     }
@@ -224,10 +278,10 @@ void medium_track(const Context& context, int index, const RayD& ray, double t_m
 
 }  // namespace
 
-void medium_scatter(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& walk,
+void medium_scatter(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& random,
                     Scattered& result) {
-  const bool tracks = method_tracks(context.scene.media[static_cast<std::size_t>(index)].method);
-  (tracks ? medium_track : medium_segments)(context, index, ray, t_max, walk, result);
+  const bool tracks = method_tracks(context.media[static_cast<std::size_t>(index)].method);
+  (tracks ? medium_track : medium_segments)(context, index, ray, t_max, random, result);
 }
 
 }  // namespace brume::reference

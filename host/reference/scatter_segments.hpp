@@ -5,7 +5,8 @@
 namespace brume::reference {
 
 // Medium `index` up to t_max, by segments or by collisions as its method wants: adds to result.radiance and result.tau.
-void medium_scatter(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& walk,
+// `random` is the ray's; medium m walks with its child m.
+void medium_scatter(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& random,
                     Scattered& result);
 
 }  // namespace brume::reference

@@ -89,7 +89,7 @@ bool image_misses(const Texture& texture, const dvec2& uv) {
   return texture.clamp && (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1);
 }
 
-dvec3 image_lookup(const FlatScene& scene, const Texture& texture, const dvec2& at) {
+dvec3 image_lookup(const PlannedScene& scene, const Texture& texture, const dvec2& at) {
   if (image_misses(texture, at)) return dvec3(1);
   const dvec2 size(texture.width, texture.height);
   dvec2 uv = image_point(texture, at);
@@ -106,6 +106,8 @@ dvec3 image_lookup(const FlatScene& scene, const Texture& texture, const dvec2& 
   return glm::max(static_cast<double>(texture.base) + static_cast<double>(texture.gain) * color, dvec3(0));
 }
 
+static_assert(MATERIAL_COUNT == 3 && TEXTURE_COUNT == 2, "what is below knows every model and texture");
+
 // What the specular lobe raises to the shininess.
 double lobe_base(int model, const dvec3& normal, const dvec3& to_light, const dvec3& to_viewer) {
   if (model == MATERIAL_PHONG)
@@ -117,7 +119,7 @@ double lobe_base(int model, const dvec3& normal, const dvec3& to_light, const dv
 
 }  // namespace
 
-SurfaceD surface_at(const FlatScene& scene, const RayD& ray, const HitD& hit) {
+SurfaceD surface_at(const PlannedScene& scene, const RayD& ray, const HitD& hit) {
   SurfaceD surface;
   surface.point = ray.at(hit.t);
   Geometry geometry;
@@ -164,13 +166,13 @@ int texture_second(const Texture& texture, const dvec2& uv) {
   return std::fmod(squares, 2.0) != 0 ? 1 : 0;
 }
 
-dvec3 texture_lookup(const FlatScene& scene, int texture_index, const dvec2& uv) {
+dvec3 texture_lookup(const PlannedScene& scene, int texture_index, const dvec2& uv) {
   const Texture& texture = scene.textures[static_cast<std::size_t>(texture_index)];
   if (texture.type == TEXTURE_IMAGE) return image_lookup(scene, texture, uv);
   return vec_promote(texture_second(texture, uv) ? texture.color_b : texture.color_a);
 }
 
-dvec3 surface_reflect(const FlatScene& scene, const SurfaceD& surface, const dvec3& view_dir, const dvec3& travel) {
+dvec3 surface_reflect(const PlannedScene& scene, const SurfaceD& surface, const dvec3& view_dir, const dvec3& travel) {
   const double cosine = glm::dot(surface.normal, -travel);
   if (!(cosine > 0)) return dvec3(0);
   const Material& material = scene.materials[static_cast<std::size_t>(surface.material)];

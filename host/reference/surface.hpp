@@ -1,7 +1,7 @@
 // The surface at a hit: normals, texture coordinates, colours, and how it reflects one light.
 // Shadows and media are no business of this file.
 #pragma once
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 #include "reference/intersect.hpp"
 
 namespace brume::reference {
@@ -20,18 +20,18 @@ struct SurfaceD {
 };
 
 // `hit` must be a hit of `ray`, not a miss.
-SurfaceD surface_at(const FlatScene& scene, const RayD& ray, const HitD& hit);
+SurfaceD surface_at(const PlannedScene& scene, const RayD& ray, const HitD& hit);
 
 // Origin of a ray that leaves the surface in direction `dir`.
 dvec3 surface_leave(const SurfaceD& surface, const dvec3& dir);
 
-// Linear RGB of texture `texture` (an index into FlatScene::textures).
-dvec3 texture_lookup(const FlatScene& scene, int texture, const dvec2& uv);
+// Linear RGB of texture `texture` (an index into PlannedScene::textures).
+dvec3 texture_lookup(const PlannedScene& scene, int texture, const dvec2& uv);
 // 1 where uv lies in the second colour of a checker, or beside an image that is shown once; 0 elsewhere.
 int texture_second(const Texture& texture, const dvec2& uv);
 
 // Radiance towards -view_dir for irradiance E = 1 of light that travels along `travel`; 0 from behind the shading
 // normal.
-dvec3 surface_reflect(const FlatScene& scene, const SurfaceD& surface, const dvec3& view_dir, const dvec3& travel);
+dvec3 surface_reflect(const PlannedScene& scene, const SurfaceD& surface, const dvec3& view_dir, const dvec3& travel);
 
 }  // namespace brume::reference

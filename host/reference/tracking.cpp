@@ -1,4 +1,5 @@
-// See tracking.hpp. T is carried here, not τ: products of a few factors in double do not underflow before they are black.
+// See tracking.hpp. T is carried here, not τ: products of a few factors in double do not underflow before they are
+// black.
 #include "reference/tracking.hpp"
 
 #include <algorithm>
@@ -29,19 +30,16 @@ struct Range {
   double min, max;
 };
 
-Range range_at(const FlatScene& scene, const Medium& medium, const dvec3& cell_position) {
-  const ivec3 brick = cell_at(medium, cell_position) / BRICK_CELLS;
-  const auto index = static_cast<std::size_t>(medium.brick_offset) +
-                     (static_cast<std::size_t>(brick.z) * static_cast<std::size_t>(medium.brick_ny) +
-                      static_cast<std::size_t>(brick.y)) *
-                         static_cast<std::size_t>(medium.brick_nx) +
-                     static_cast<std::size_t>(brick.x);
-  return {scene.brick_ranges[2 * index], scene.brick_ranges[2 * index + 1]};
+Range range_at(const PlannedScene& scene, const Medium& medium, const dvec3& cell_position) {
+  const int number = brick_number(scene, medium, cell_at(medium, cell_position));
+  if (number == BRICK_EMPTY) return {0, 0};
+  const auto at = 2 * static_cast<std::size_t>(number);
+  return {scene.brick_ranges[at], scene.brick_ranges[at + 1]};
 }
 
 }  // namespace
 
-void collisions_visit(const FlatScene& scene, const Medium& medium, const RayD& world, const Interval& span,
+void collisions_visit(const PlannedScene& scene, const Medium& medium, const RayD& world, const Interval& span,
                       const RandomStream& random, int method, bool only_tau,
                       const std::function<bool(const CollisionD&)>& visit) {
   if (span.empty()) return;

@@ -15,9 +15,9 @@ struct CollisionD {
   uint id;              // number of the collision
 };
 
-// Calls visit(collision) from front to back until it returns false. only_tau: collisions are needed only for what exceeds the
-// lower bounds.
-void collisions_visit(const FlatScene& scene, const Medium& medium, const RayD& world, const Interval& span,
+// Calls visit(collision) from front to back until it returns false. only_tau: collisions are needed only for what
+// exceeds the lower bounds.
+void collisions_visit(const PlannedScene& scene, const Medium& medium, const RayD& world, const Interval& span,
                       const RandomStream& random, int method, bool only_tau,
                       const std::function<bool(const CollisionD&)>& visit);
 
@@ -30,8 +30,8 @@ struct CollisionWorth {
 CollisionWorth collide(const CollisionD& collision, const dvec3& sigma_t, const RandomStream& random, int method,
                        dvec3& transmittance);
 
-// Russian roulette: below the threshold T goes on with probability T / threshold and then becomes the threshold; else 0. By the
-// channel that is left most. False: ended.
+// Russian roulette: below the threshold T goes on with probability T / threshold and then becomes the threshold; else
+// 0. By the channel that is left most. False: ended.
 bool roulette(double threshold, const RandomStream& random, uint id, dvec3& transmittance);
 
 }  // namespace brume::reference

@@ -1,38 +1,113 @@
 // See device_scene.hpp.
 #include "render/device_scene.hpp"
 
+#include <type_traits>
+
+#include "base/stopwatch.hpp"
+
 namespace brume {
 
 namespace {
 
 // Trackers take their rates from the ranges, bytes their scale.
-bool reads_ranges(const FlatScene& s) { return (s.draws >> DRAWS_COLLISIONS) & 1u || s.storage == STORAGE_U8; }
+bool reads_ranges(const RenderPlan& plan) {
+  return (plan.draws >> DRAWS_COLLISIONS) & 1u || plan.storage == STORAGE_U8;
+}
+
+template <class T>
+cl::Buffer upload(Context& context, const char* what, const std::vector<T>& values) {
+  return context.buffer(what, values);
+}
+cl::Buffer upload(Context& context, const char* what, const Frame& frame) {
+  return context.buffer(what, sizeof frame, &frame);
+}
+
+template <class Member>
+struct Element {
+  using Type = Member;
+};
+template <class T>
+struct Element<std::vector<T>> {
+  using Type = T;
+};
+
+// Kernels and host mean the same elements.
+#define ASSERT_FLAT(type, member) static_assert(std::is_same_v<Element<decltype(FlatScene::member)>::Type, type>);
+#define ASSERT_PLAN(type, member) static_assert(std::is_same_v<Element<decltype(RenderPlan::member)>::Type, type>);
+#define ASSERT_STORED(type, member)
+#define ASSERT_SCRATCH(type, member)
+#define ASSERT_JOINED(type, member)
+#define ROW(space, type, name, kind, member, what) ASSERT_##kind(type, member)
+BRUME_SCENE_BUFFERS(ROW, )
+#undef ROW
+
+constexpr const char* BUFFER_NAMES[] = {
+#define ROW(space, type, name, kind, member, what) what,
+    BRUME_SCENE_BUFFERS(ROW, )
+#undef ROW
+};
+const char* name_of(SceneBuffer buffer) { return BUFFER_NAMES[static_cast<std::size_t>(buffer)]; }
+
+cl::Buffer& at(SceneBuffers& buffers, SceneBuffer buffer) { return buffers[static_cast<std::size_t>(buffer)]; }
 
 }  // namespace
 
-DeviceScene::DeviceScene(Context& context, const FlatScene& s, int tau_channels) {
-  buffers_ = {
-      context.buffer("frame", sizeof(Frame), &s.frame),
-      context.buffer("lights", s.lights),
-      context.buffer("materials", s.materials),
-      context.buffer("textures", s.textures),
-      context.buffer("texture pixels", s.texels),
-      context.buffer("shapes", s.shapes),
-      context.buffer("triangles", s.triangles),
-      context.buffer("BVH nodes", s.bvh_nodes),
-      context.buffer("BVH links", s.bvh_links),
-      context.buffer("BVH triangles", s.bvh_blocks),
-      context.buffer("BVH triangle numbers", s.bvh_ids),
-      context.buffer("media", s.media),
-      context.buffer("brick index", s.bricks),
-      context.buffer("brick ranges", reads_ranges(s) ? s.brick_ranges : std::vector<float>{}),
-      s.packed.empty() ? context.buffer("voxels", s.voxels) : context.buffer("voxels", s.packed),
-      context.buffer("light grids", s.light_grids),
-      context.buffer("light grid depths", static_cast<std::size_t>(s.light_entries * tau_channels) * sizeof(float)),
-  };
+DeviceScene::DeviceScene(Context& context, const FlatScene& scene) : context_(context), flat_(scene) {
+  const Stopwatch watch;
+#define UPLOAD_FLAT(name, member, what) at(buffers_, SceneBuffer::name) = upload(context, what, scene.member);
+#define UPLOAD_PLAN(name, member, what)
+#define UPLOAD_STORED(name, member, what)
+#define UPLOAD_SCRATCH(name, member, what)
+#define UPLOAD_JOINED(name, member, what)
+#define ROW(space, type, name, kind, member, what) UPLOAD_##kind(name, member, what)
+  BRUME_SCENE_BUFFERS(ROW, )
+#undef ROW
+#undef UPLOAD_FLAT
+#undef UPLOAD_PLAN
+  upload_seconds_ = watch.seconds();
 }
 
-cl_uint DeviceScene::set_arguments(cl::Kernel& kernel) const {
+DeviceScene::Stored& DeviceScene::stored(const RenderPlan& plan) {
+  Stored& stored = stored_[plan.storage];
+  const bool packs = plan.storage != STORAGE_F32 && !flat_.voxels.empty();
+  if (packs && !stored.host) {
+    std::vector<float> voxels = plan.stored ? std::vector<float>{} : flat_.voxels;
+    stored.host =
+        plan.stored ? plan.stored : std::make_shared<const StoredVoxels>(voxels_store(flat_, plan.storage, voxels));
+  }
+  if (!stored.voxels())
+    stored.voxels = packs ? context_.buffer_over(name_of(SceneBuffer::voxels), stored.host->packed)
+                          : context_.buffer_over(name_of(SceneBuffer::voxels), flat_.voxels);
+  if (reads_ranges(plan) && !stored.ranges())
+    stored.ranges = upload(context_, name_of(SceneBuffer::ranges), packs ? stored.host->ranges : flat_.brick_ranges);
+  return stored;
+}
+
+SceneBuffers DeviceScene::buffers(const RenderPlan& plan) {
+  const Stored& its = stored(plan);
+  SceneBuffers all = buffers_;
+  at(all, SceneBuffer::voxels) = its.voxels;
+  at(all, SceneBuffer::ranges) =
+      its.ranges() ? its.ranges : upload(context_, name_of(SceneBuffer::ranges), std::vector<float>{});
+  return all;
+}
+
+DevicePlan::DevicePlan(Context& context, DeviceScene& scene, const RenderPlan& plan, int tau_channels)
+    : buffers_(scene.buffers(plan)) {
+#define UPLOAD_FLAT(name, member, what)
+#define UPLOAD_PLAN(name, member, what) at(buffers_, SceneBuffer::name) = upload(context, what, plan.member);
+#define ROW(space, type, name, kind, member, what) UPLOAD_##kind(name, member, what)
+  BRUME_SCENE_BUFFERS(ROW, )
+#undef ROW
+  std::vector<Medium> media;
+  for (std::size_t i = 0; i < plan.walks.size(); ++i) media.push_back(medium_of(scene.flat(), plan.walks[i], i));
+  at(buffers_, SceneBuffer::media) = upload(context, name_of(SceneBuffer::media), media);
+  at(buffers_, SceneBuffer::light_tau) =
+      context.buffer(name_of(SceneBuffer::light_tau),
+                     static_cast<std::size_t>(plan.light_entries * tau_channels) * sizeof(float), nullptr);
+}
+
+cl_uint DevicePlan::set_arguments(cl::Kernel& kernel) const {
   cl_uint argument = 0;
   for (const cl::Buffer& buffer : buffers_) kernel.setArg(argument++, buffer);
   return argument;

@@ -20,19 +20,20 @@ std::string define(const char* name, unsigned value) {
   return std::string(" -DBRUME_") + name + "=" + std::to_string(value);
 }
 
-std::string scene_options(const FlatScene& s) {
-  const auto& media = s.media;
-  return define("MEDIA", static_cast<unsigned>(std::min<std::size_t>(media.size(), 2))) +
+std::string scene_options(const FlatScene& s, const RenderPlan& plan) {
+  return define("MEDIA", static_cast<unsigned>(std::min<std::size_t>(s.media.size(), 2))) +
          define("COLOR_TAU", s.color_tau) +
-         define("METHODS_USED", bits_used(media, [](const Medium& m) { return m.method; })) +
-         define("JITTER", (s.draws >> DRAWS_PLACES) & 1u) + define("TRACKING", (s.draws >> DRAWS_COLLISIONS) & 1u) +
-         define("ROULETTE", s.frame.roulette > 0) +
-         define("SPHERE_REGION", (bits_used(media, [](const Medium& m) { return m.region; }) >> REGION_SPHERE) & 1u) +
-         define("LIGHT_GRID", s.light_entries > 0) +
-         define("PHASES_USED", bits_used(media, [](const Medium& m) { return m.phase; })) +
+         define("METHODS_USED", bits_used(plan.walks, [](const MediumWalk& w) { return w.method; })) +
+         define("JITTER", (plan.draws >> DRAWS_PLACES) & 1u) +
+         define("TRACKING", (plan.draws >> DRAWS_COLLISIONS) & 1u) + define("ROULETTE", plan.frame.roulette > 0) +
+         define("SPHERE_REGION",
+                (bits_used(s.placed, [](const PlacedGrid& p) { return p.region; }) >> REGION_SPHERE) & 1u) +
+         define("LIGHT_GRID", plan.light_entries > 0) +
+         define("PHASES_USED", bits_used(s.media, [](const MediumBody& m) { return m.phase; })) +
          define("SHAPES_USED", bits_used(s.shapes, [](const Shape& shape) { return shape.type; })) +
          define("TRIANGLES", !s.triangles.empty()) + define("TEXTURED", !s.textures.empty()) +
          define("SPECULAR", scene_is_specular(s)) +
+         define("LIGHTS_CHOSEN", plan.frame.light_picks < plan.frame.light_count) +
          define("LIGHTS_USED", bits_used(s.lights, [](const Light& l) { return l.type; }));
 }
 
@@ -43,11 +44,12 @@ bool scene_is_specular(const FlatScene& scene) {
                      [](const Material& m) { return m.reflection > 0 || m.refraction > 0; });
 }
 
-std::string kernel_options(const FlatScene& scene, const DeviceInfo& device, int lanes, bool generic) {
+std::string kernel_options(const FlatScene& scene, const RenderPlan& plan, const DeviceInfo& device, int lanes,
+                           bool generic) {
   return define("LANES", static_cast<unsigned>(lanes)) + define("BVH_WIDTH", static_cast<unsigned>(scene.bvh_width)) +
          define("FAST_FMA", device.fast_fma) +
-         define("STORAGE", static_cast<unsigned>(scene.packed.empty() ? STORAGE_F32 : scene.storage)) +
-         define("MAX_DEPTH", static_cast<unsigned>(scene.frame.max_depth)) + (generic ? "" : scene_options(scene));
+         define("STORAGE", static_cast<unsigned>(scene.voxels.empty() ? STORAGE_F32 : plan.storage)) +
+         define("OUTLINE", device.cpu) + (generic ? "" : scene_options(scene, plan));
 }
 
 }  // namespace brume

@@ -3,14 +3,15 @@
 #include <string>
 
 #include "cl/device.hpp"
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 
 namespace brume {
 
 // Some material reflects or refracts.
 bool scene_is_specular(const FlatScene& scene);
 
-// Options for kernels specialised to `scene`; `generic`: every feature on, as for any scene.
-std::string kernel_options(const FlatScene& scene, const DeviceInfo& device, int lanes, bool generic);
+// Options for kernels specialised to a plan of `scene`; `generic`: every feature on, as for any scene.
+std::string kernel_options(const FlatScene& scene, const RenderPlan& plan, const DeviceInfo& device, int lanes,
+                           bool generic);
 
 }  // namespace brume

@@ -2,6 +2,8 @@
 #include "render/passes.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "base/error.hpp"
 #include "cl/driver_guard.hpp"
@@ -14,16 +16,18 @@ namespace brume {
 
 namespace {
 
-constexpr const char* PASS_NAMES[] = {"primary_rays", "traverse_dda",   "shadow_transmittance",
-                                      "shade",        "secondary_rays", "accumulate"};
+// What a pass reads of the scene: nothing, or all of it.
+struct PassRow {
+  const char* name;
+  bool takes_scene;
+};
+// In the order of Passes::Id.
+constexpr PassRow PASSES[] = {{"light_grid", true},           {"primary_rays", true}, {"traverse_dda", true},
+                              {"shadow_transmittance", true}, {"shade", true},        {"secondary_rays", false},
+                              {"accumulate", false}};
 
-// One program for all passes: the front end reads the shared text once.
-std::string passes_source() {
-  std::string text;
-  for (const char* name : PASS_NAMES) text += std::string("#include \"passes/") + name + ".cl\"\n";
-  text += "#include \"passes/light_grid.cl\"\n";
-  return kernel_source_text(text, "passes");
-}
+// Rays that a wave has room for, at least: what one sample may send on.
+constexpr std::size_t WAVE_LEAST = 2 * SECONDARY_RAYS_MAX;
 
 // Private arrays of all items of a group lie on the worker's stack in PoCL: few items on a CPU.
 constexpr std::size_t GROUP_CPU = 16, GROUP_GPU = 64;
@@ -37,88 +41,104 @@ double event_seconds(const cl::Event& event) {
 
 }  // namespace
 
-Passes::Passes(Context& context, const FlatScene& scene, const std::string& options, int tau_channels,
-               std::size_t batch_rays, std::size_t film_pixels)
+Passes::Passes(Context& context, std::shared_ptr<DeviceScene> device_scene, const RenderPlan& plan,
+               const std::string& options, int tau_channels, std::size_t batch_rays)
     : context_(context),
-      scene_(context, scene, tau_channels),
-      has_surfaces_(!scene.shapes.empty() || !scene.triangles.empty()),
-      has_specular_(has_surfaces_ && scene.frame.max_depth > 0 && scene_is_specular(scene)),
-      film_pixels_(film_pixels),
+      device_scene_(std::move(device_scene)),
+      scene_(context, *device_scene_, plan, tau_channels),
+      has_surfaces_(!device_scene_->flat().shapes.empty() || !device_scene_->flat().triangles.empty()),
+      has_specular_(has_surfaces_ && plan.frame.max_depth > 0 && scene_is_specular(device_scene_->flat())),
+      unit_(static_cast<cl_float>(device_scene_->flat().unit)),
       group_(std::min(context.device().cpu ? GROUP_CPU : GROUP_GPU, context.device().max_group)) {
-  create_buffers(batch_rays, scene.lights.size());
-  plan_light_grids(scene);
+  static_assert(std::size(PASSES) == PASS_COUNT, "one row per pass");
+  for (const PassRow& pass : PASSES) stats_.push_back({pass.name, 0, 0});
+  create_buffers(batch_rays);
+  plan_light_grids(device_scene_->flat(), plan);
   upload_seconds_ = watch_.lap();
   create_kernels(options);
-  // PoCL compiles a kernel at its first launch: an empty batch moves that out of the render time.
-  std::vector<PassStats> unused;
-  run({0, 0, 0, 1}, unused);
   build_seconds_ = watch_.lap();
 }
 
-void Passes::plan_light_grids(const FlatScene& scene) {
+bool Passes::runs(Id id) const {
+  if (id == LIGHT_GRID) return !light_grids_.empty();
+  if (id == SHADOW_TRANSMITTANCE) return has_surfaces_;
+  return id != SECONDARY_RAYS || has_specular_;
+}
+
+void Passes::plan_light_grids(const FlatScene& scene, const RenderPlan& plan) {
   for (std::size_t m = 0; m < scene.media.size(); ++m)
-    for (std::size_t l = 0; scene.media[m].light_grids > 0 && l < scene.lights.size(); ++l) {
-      const LightGrid& grid = scene.light_grids[static_cast<std::size_t>(scene.media[m].light_grids - 1) + l];
-      const int items = grid.columns_u * grid.columns_v * (grid.reach > 0 ? 1 : grid.nk);
+    for (std::size_t l = 0; plan.walks[m].light_grids >= 0 && l < scene.lights.size(); ++l) {
+      const LightGrid& grid = plan.light_grids[static_cast<std::size_t>(plan.walks[m].light_grids) + l];
+      const int items = grid.columns_u * grid.columns_v * (grid.column_step > 0 ? 1 : grid.nk);
       light_grids_.push_back({static_cast<cl_int>(m), static_cast<cl_int>(l), 0, static_cast<cl_uint>(items)});
     }
 }
 
-void Passes::create_buffers(std::size_t batch_rays, std::size_t lights) {
-  rays_ = context_.buffer("rays", batch_rays * sizeof(Ray));
-  hits_ = context_.buffer("hits", batch_rays * sizeof(Hit));
-  results_ = context_.buffer("media results", batch_rays * sizeof(MediumResult));
-  arrivals_ = context_.buffer("light arrivals", has_surfaces_ ? batch_rays * lights * sizeof(LightArrival) : 0);
+void Passes::create_buffers(std::size_t batch_rays) {
+  wave_rays_ = has_specular_ ? std::max(SENT_MAX * batch_rays, WAVE_LEAST) : batch_rays;
+  const std::size_t sent = has_specular_ ? wave_rays_ : 0;
+  work_ = context_.buffer("work", batch_rays * sizeof(Work));
+  rays_ = context_.buffer("rays", wave_rays_ * sizeof(Ray));
+  hits_ = context_.buffer("hits", wave_rays_ * sizeof(Hit));
+  results_ = context_.buffer("media results", wave_rays_ * sizeof(MediumResult));
+  surfaces_ = context_.buffer("surface results", has_surfaces_ ? wave_rays_ * sizeof(SurfaceResult) : 0);
+  sent_ = context_.buffer("rays sent on", SENT_MAX * sent * sizeof(Ray));
   samples_ = context_.buffer("samples", batch_rays * sizeof(Sample));
-  film_ = context_.buffer("the film", film_pixels_ * sizeof(FilmPixel));
-  context_.queue().enqueueFillBuffer(film_, cl_uint(0), 0, film_pixels_ * sizeof(FilmPixel));
+  sample_sent_ = context_.buffer("numbers of rays sent on", batch_rays * sizeof(cl_uint));
+  sample_first_ = context_.buffer("first rays sent on", has_specular_ ? batch_rays * sizeof(cl_uint) : 0);
+  pixels_ = context_.buffer("pixels", batch_rays * sizeof(FilmPixel));
 }
 
+// One program for all passes: the front end reads the shared text once. PoCL compiles a kernel at its first launch: an
+// empty one moves that out of the render time.
 void Passes::create_kernels(const std::string& options) {
-  const cl::Program program = program_build(context_, passes_source(), options);
+  std::string text;
+  for (int id = 0; id < PASS_COUNT; ++id)
+    if (runs(static_cast<Id>(id))) text += std::string("#include \"passes/") + PASSES[id].name + ".cl\"\n";
+  const DriverGuard guard;
+  const cl::Program program = program_build(context_, kernel_source_text(text, "passes"), options);
   for (int id = 0; id < PASS_COUNT; ++id) {
     if (!runs(static_cast<Id>(id))) continue;
-    kernels_[id] = kernel_create(program, PASS_NAMES[id]);
-    first_argument_[id] = id == ACCUMULATE ? 0 : scene_.set_arguments(kernels_[id]);
+    kernels_[id] = kernel_create(program, PASSES[id].name);
+    if (PASSES[id].takes_scene) first_argument_[id] = scene_.set_arguments(kernels_[id]);
   }
-  if (light_grids_.empty()) return;
-  light_grid_kernel_ = kernel_create(program, "light_grid");
-  launch_light_grid({0, 0, 0, 0});  // compiled now, not during the render
+  try {
+    if (runs(LIGHT_GRID)) enqueue(LIGHT_GRID, 0, cl_int(0), cl_int(0), cl_uint(0), cl_uint(0), scene_.light_tau());
+    enqueue_wave(0, 0, 0, 0);
+    if (has_specular_) next_wave(0);
+    enqueue(ACCUMULATE, 0, work_, cl_uint(0), unit_, samples_, pixels_);
+    context_.queue().finish();
+  } catch (const cl::Error& error) {
+    failed(error);
+  }
+  enqueued_.clear();
 }
 
-// Sets every pass's own arguments.
-void Passes::bind(const Batch& batch) {
-  const cl_uint rays = batch.rays();
-  const auto set = [this](Id id, const auto&... values) {
-    cl_uint argument = first_argument_[id];
-    if (runs(id)) (kernels_[id].setArg(argument++, values), ...);
-  };
-  set(PRIMARY_RAYS, batch.first_pixel, batch.first_sample, batch.samples, rays, rays_, hits_);
-  set(TRAVERSE_DDA, rays, rays_, hits_, results_);
-  set(SHADOW_TRANSMITTANCE, rays, rays_, hits_, results_, arrivals_);
-  set(SHADE, rays, rays_, hits_, results_, arrivals_, samples_);
-  set(SECONDARY_RAYS, rays, rays_, hits_, results_, samples_);
-  set(ACCUMULATE, batch.first_pixel, batch.pixels, batch.first_sample, batch.samples, hits_, results_, samples_, film_);
+void Passes::failed(const cl::Error& error) const {
+  throw RuntimeError(context_.device().title() + ": pass " + PASSES[running_].name + ": " + error.what() +
+                     " failed: " + cl_error_name(error.err()));
 }
 
-cl::Event Passes::launch(const cl::Kernel& kernel, std::size_t items) {
-  cl::Event event;
+template <class... Values>
+void Passes::enqueue(Id id, std::size_t items, const Values&... values) {
+  running_ = id;
+  cl_uint argument = first_argument_[id];
+  (kernels_[id].setArg(argument++, values), ...);
   const std::size_t groups = std::max<std::size_t>((items + group_ - 1) / group_, 1);
-  context_.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(groups * group_), cl::NDRange(group_),
+  cl::Event event;
+  context_.queue().enqueueNDRangeKernel(kernels_[id], cl::NullRange, cl::NDRange(groups * group_), cl::NDRange(group_),
                                         nullptr, &event);
-  return event;
+  enqueued_.push_back({id, items, event});
 }
 
-cl::Event Passes::launch_light_grid(const LightGridWork& work) {
-  cl_uint argument = scene_.set_arguments(light_grid_kernel_);
-  light_grid_kernel_.setArg(argument++, work.medium);
-  light_grid_kernel_.setArg(argument++, work.light);
-  light_grid_kernel_.setArg(argument++, work.first);
-  light_grid_kernel_.setArg(argument++, work.first + work.items);
-  light_grid_kernel_.setArg(argument++, scene_.light_tau());
-  const cl::Event event = launch(light_grid_kernel_, work.items);
-  event.wait();
-  return event;
+void Passes::finish() {
+  context_.queue().finish();
+  for (const Enqueued& pass : enqueued_) {
+    running_ = pass.id;
+    stats_[pass.id].seconds += event_seconds(pass.event);
+    stats_[pass.id].items += static_cast<double>(pass.items);
+  }
+  enqueued_.clear();
 }
 
 double Passes::light_grid_items() const {
@@ -127,70 +147,76 @@ double Passes::light_grid_items() const {
   return items;
 }
 
-void Passes::fill_light_grid(const LightGridWork& grid, PassStats& pass, bool& stopped,
+void Passes::fill_light_grid(const LightGridWork& grid, double& done, bool& stopped,
                              const std::function<bool(double)>& go_on) {
   Pace pace(PIECE_FIRST, grid.items);
   for (cl_uint first = 0; first < grid.items && !stopped;) {
     const cl_uint items = std::min(static_cast<cl_uint>(pace.next()), grid.items - first);
-    const double seconds = event_seconds(launch_light_grid({grid.medium, grid.light, first, items}));
-    pace.took(items, seconds);
-    pass.seconds += seconds;
-    pass.items += items;
+    const Stopwatch lap;
+    enqueue(LIGHT_GRID, items, grid.medium, grid.light, first, first + items, scene_.light_tau());
+    finish();
+    pace.took(items, lap.seconds());
     first += items;
-    stopped = !go_on(pass.items);
+    stopped = !go_on(done += items);
   }
 }
 
-void Passes::fill_light_grids(std::vector<PassStats>& stats, const std::function<bool(double)>& go_on) {
-  if (light_grids_.empty()) return;
-  PassStats pass{"light_grid", 0, 0};
+void Passes::fill_light_grids(const std::function<bool(double)>& go_on) {
   bool stopped = false;
+  double done = 0;
   try {
-    for (const LightGridWork& grid : light_grids_) fill_light_grid(grid, pass, stopped, go_on);
+    for (const LightGridWork& grid : light_grids_) fill_light_grid(grid, done, stopped, go_on);
   } catch (const cl::Error& error) {
-    throw RuntimeError(context_.device().title() + ": pass light_grid: " + error.what() +
-                       " failed: " + cl_error_name(error.err()));
+    failed(error);
   }
-  stats.push_back(pass);
 }
 
-void Passes::run(const Batch& batch, std::vector<PassStats>& stats) {
+void Passes::enqueue_wave(cl_uint entries, cl_uint samples, cl_uint wave, cl_uint rays) {
+  enqueue(PRIMARY_RAYS, rays, work_, entries, wave, rays, rays_, hits_);
+  enqueue(TRAVERSE_DDA, rays, rays, rays_, hits_, results_);
+  if (has_surfaces_) enqueue(SHADOW_TRANSMITTANCE, rays, wave, rays, rays_, hits_, results_, surfaces_, sent_);
+  enqueue(SHADE, samples, wave, samples, rays_, hits_, results_, surfaces_, samples_, sample_sent_);
+}
+
+// Rays of one sample stay side by side and in order, so that what a sample adds up does not depend on the batch.
+cl_uint Passes::next_wave(cl_uint samples) {
+  sent_counts_.resize(samples);
+  std::size_t rays = 0;
+  if (samples > 0)
+    context_.queue().enqueueReadBuffer(sample_sent_, CL_TRUE, 0, samples * sizeof(cl_uint), sent_counts_.data());
+  for (cl_uint& count : sent_counts_) rays += std::exchange(count, static_cast<cl_uint>(rays));
+  if (rays > wave_rays_ || (rays == 0 && samples > 0)) return static_cast<cl_uint>(std::min(rays, wave_rays_ + 1));
+  if (samples > 0)
+    context_.queue().enqueueWriteBuffer(sample_first_, CL_FALSE, 0, samples * sizeof(cl_uint), sent_counts_.data());
+  enqueue(SECONDARY_RAYS, samples, samples, hits_, surfaces_, sent_, sample_first_, samples_, rays_);
+  return static_cast<cl_uint>(rays);
+}
+
+bool Passes::enqueue_waves(cl_uint entries, cl_uint samples) {
+  cl_uint rays = samples;
+  for (cl_uint wave = 0; rays > 0; ++wave) {
+    enqueue_wave(entries, samples, wave, rays);
+    rays = has_specular_ ? next_wave(samples) : 0;
+    if (rays > wave_rays_) return false;
+  }
+  return true;
+}
+
+bool Passes::run(const std::vector<Work>& batch, std::vector<FilmPixel>& pixels) {
   const DriverGuard guard;
-  stats.resize(PASS_COUNT);
-  std::array<cl::Event, PASS_COUNT> events;
-  const char* pass = "";
+  const auto entries = static_cast<cl_uint>(batch.size());
+  const std::size_t bytes = batch.size() * sizeof(FilmPixel);
   try {
-    bind(batch);
-    for (int id = 0; id < PASS_COUNT; ++id) {
-      pass = PASS_NAMES[id];
-      if (runs(static_cast<Id>(id))) events[id] = launch(kernels_[id], id == ACCUMULATE ? batch.pixels : batch.rays());
-    }
-    context_.queue().finish();
-    for (int id = 0; id < PASS_COUNT; ++id) {
-      stats[id].name = pass = PASS_NAMES[id];
-      if (!runs(static_cast<Id>(id))) continue;
-      stats[id].seconds += event_seconds(events[id]);
-      stats[id].items += id == ACCUMULATE ? batch.pixels : batch.rays();
-    }
+    const cl::CommandQueue& queue = context_.queue();
+    queue.enqueueWriteBuffer(work_, CL_FALSE, 0, batch.size() * sizeof(Work), batch.data());
+    queue.enqueueWriteBuffer(pixels_, CL_FALSE, 0, bytes, pixels.data());
+    const bool fits = enqueue_waves(entries, batch_rays(batch));
+    if (fits) enqueue(ACCUMULATE, entries, work_, entries, unit_, samples_, pixels_);
+    finish();
+    if (fits) queue.enqueueReadBuffer(pixels_, CL_TRUE, 0, bytes, pixels.data());
+    return fits;
   } catch (const cl::Error& error) {
-    throw RuntimeError(context_.device().title() + ": pass " + pass + ": " + error.what() +
-                       " failed: " + cl_error_name(error.err()));
-  }
-}
-
-void Passes::read_film(Film& film, const Frame& frame, const Batch& batch) const {
-  constexpr std::size_t BYTES = sizeof(FilmPixel);
-  const auto row = static_cast<std::size_t>(frame.crop_x1 - frame.crop_x0),
-             film_row = static_cast<std::size_t>(film.size().x);
-  for (std::size_t first = batch.first_pixel, left = batch.pixels; left > 0;) {
-    const std::size_t x = first % row, y = first / row;
-    const bool whole = x == 0 && left >= row;  // as many rows as there are, or a part of one
-    const std::size_t width = whole ? row : std::min(row - x, left), rows = whole ? left / row : 1;
-    context_.queue().enqueueReadBufferRect(
-        film_, CL_TRUE, {x * BYTES, y, 0}, {(x + frame.crop_x0) * BYTES, y + frame.crop_y0, 0},
-        {width * BYTES, rows, 1}, row * BYTES, 0, film_row * BYTES, 0, film.pixels().data());
-    first += width * rows;
-    left -= width * rows;
+    failed(error);
   }
 }
 

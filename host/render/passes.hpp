@@ -1,69 +1,92 @@
-// The kernels of a render and the buffers that they hand to each other, one entry per ray of a batch.
+// The kernels of a render and the buffers that they hand to each other, one entry per ray or pixel of a batch.
 #pragma once
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "base/stopwatch.hpp"
 #include "cl/context.hpp"
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 #include "render/device_scene.hpp"
 #include "render/renderer.hpp"
+#include "render/work.hpp"
 
 namespace brume {
 
-// A stretch of work: `pixels` pixels of the crop from first_pixel on, `samples` samples of each from first_sample on.
-struct Batch {
-  cl_uint first_pixel, pixels, first_sample, samples;
-  cl_uint rays() const { return pixels * samples; }
-};
-
 class Passes {
  public:
-  // options: of kernel_options(), which `tau_channels` must fit.
-  Passes(Context& context, const FlatScene& scene, const std::string& options, int tau_channels, std::size_t batch_rays,
-         std::size_t film_pixels);
+  // options: of kernel_options(), which `tau_channels` must fit. A batch has at most batch_rays rays.
+  Passes(Context& context, std::shared_ptr<DeviceScene> device_scene, const RenderPlan& plan,
+         const std::string& options, int tau_channels, std::size_t batch_rays);
 
   double build_seconds() const { return build_seconds_; }
   double upload_seconds() const { return upload_seconds_; }
+  double scene_upload_seconds() const { return device_scene_->upload_seconds(); }
 
-  // Fills the light grids, if there are any, piece by piece while go_on(items done) holds; adds time and items to `stats`.
-  void fill_light_grids(std::vector<PassStats>& stats, const std::function<bool(double)>& go_on);
+  // Fills the light grids, if there are any, piece by piece while go_on(items done) holds.
+  void fill_light_grids(const std::function<bool(double)>& go_on);
   double light_grid_items() const;
-  // Enqueues all passes over one batch and waits; adds times and items to `stats`.
-  void run(const Batch& batch, std::vector<PassStats>& stats);
-  void read_film(Film& film, const Frame& frame, const Batch& batch) const;  // its pixels into their places
+  // All passes over one batch: a wave of camera rays, then one of the rays that they send on, until none is left.
+  // `pixels`: what the pixel of each entry holds, to which its samples are added. False where a wave would hold more
+  // rays than there is room for; the pixels are as before then. A batch of one sample always fits.
+  bool run(const std::vector<Work>& batch, std::vector<FilmPixel>& pixels);
+
+  const std::vector<PassStats>& stats() const { return stats_; }  // of all that was run, in the order of the passes
 
  private:
   struct LightGridWork {
     cl_int medium, light;
     cl_uint first, items;
   };
-  enum Id { PRIMARY_RAYS, TRAVERSE_DDA, SHADOW_TRANSMITTANCE, SHADE, SECONDARY_RAYS, ACCUMULATE, PASS_COUNT };
-  bool runs(Id id) const {
-    return id == SHADOW_TRANSMITTANCE ? has_surfaces_ : (id == SECONDARY_RAYS ? has_specular_ : true);
-  }
+  // In the order in which they run; shared by the table of names and items in passes.cpp.
+  enum Id {
+    LIGHT_GRID,
+    PRIMARY_RAYS,
+    TRAVERSE_DDA,
+    SHADOW_TRANSMITTANCE,
+    SHADE,
+    SECONDARY_RAYS,
+    ACCUMULATE,
+    PASS_COUNT
+  };
+  bool runs(Id id) const;
   void create_kernels(const std::string& options);
-  void plan_light_grids(const FlatScene& scene);
-  void create_buffers(std::size_t batch_rays, std::size_t lights);
-  void bind(const Batch& batch);
-  cl::Event launch(const cl::Kernel& kernel, std::size_t items);
-  cl::Event launch_light_grid(const LightGridWork& work);  // waits
-  void fill_light_grid(const LightGridWork& grid, PassStats& pass, bool& stopped,
+  void plan_light_grids(const FlatScene& scene, const RenderPlan& plan);
+  void create_buffers(std::size_t batch_rays);
+  template <class... Values>
+  void enqueue(Id id, std::size_t items, const Values&... values);
+  void enqueue_wave(cl_uint entries, cl_uint samples, cl_uint wave, cl_uint rays);
+  bool enqueue_waves(cl_uint entries, cl_uint samples);
+  cl_uint next_wave(cl_uint samples);  // rays of the next wave; 0: none
+  void finish();                       // waits for what is enqueued and adds its times to the statistics
+  void fill_light_grid(const LightGridWork& grid, double& done, bool& stopped,
                        const std::function<bool(double)>& go_on);
+  [[noreturn]] void failed(const cl::Error& error) const;
+
+  struct Enqueued {
+    Id id;
+    std::size_t items;
+    cl::Event event;
+  };
 
   Context& context_;
   Stopwatch watch_;  // laps over construction
-  DeviceScene scene_;
+  std::shared_ptr<DeviceScene> device_scene_;
+  DevicePlan scene_;
   double upload_seconds_ = 0, build_seconds_ = 0;
   bool has_surfaces_, has_specular_;
-  std::size_t film_pixels_;
+  cl_float unit_;  // FlatScene::unit
+  std::size_t wave_rays_ = 0;
   std::size_t group_;
   std::vector<LightGridWork> light_grids_;
-  cl::Kernel light_grid_kernel_;
   std::array<cl::Kernel, PASS_COUNT> kernels_;
   std::array<cl_uint, PASS_COUNT> first_argument_{};
-  cl::Buffer rays_, hits_, results_, arrivals_, samples_, film_;
+  std::vector<Enqueued> enqueued_;
+  std::vector<PassStats> stats_;
+  Id running_ = PRIMARY_RAYS;  // for messages
+  std::vector<cl_uint> sent_counts_;
+  cl::Buffer work_, rays_, hits_, results_, surfaces_, sent_, samples_, sample_sent_, sample_first_, pixels_;
 };
 
 }  // namespace brume

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
 #include "base/foreign_lines.hpp"
 #include "base/stopwatch.hpp"
 #include "cl/driver_guard.hpp"
+#include "render/device_scene.hpp"
 #include "render/kernel_options.hpp"
 #include "render/pace.hpp"
 #include "render/passes.hpp"
@@ -14,24 +16,27 @@ namespace brume {
 
 namespace {
 
-// Rays in flight at most: on a CPU no more than its caches hold, on a GPU enough to fill it. The first batch shows how long they take.
+// Rays in flight at most: on a CPU no more than its caches hold, on a GPU enough to fill it. The first batch shows how
+// long they take.
 constexpr int BATCH_CPU = 1 << 14, BATCH_GPU = 1 << 19, FIRST_CPU = 1 << 8, FIRST_GPU = 1 << 15;
 
-// Adds up what the rendered crop of the film counted; depths into world units.
-void film_finish(Film& film, const Frame& frame, double unit, RenderStats& stats) {
-  for (auto y = static_cast<std::size_t>(frame.crop_y0); y < static_cast<std::size_t>(frame.crop_y1); ++y)
-    for (auto x = static_cast<std::size_t>(frame.crop_x0); x < static_cast<std::size_t>(frame.crop_x1); ++x) {
-      FilmPixel& p = film.pixels()[y * static_cast<std::size_t>(film.size().x) + x];
-      stats.lookups += p.lookups;
-      stats.shadow_rays += p.shadow_rays;
-      stats.secondary_rays += p.secondary_rays;
-      stats.dropped_rays += p.dropped_rays;
-      stats.dropped_weight += p.dropped_weight;
-      p.depth = static_cast<float>(p.depth * unit);
-      if (p.invalid > 0 && stats.invalid_samples == 0) stats.first_invalid = {static_cast<int>(x), static_cast<int>(y)};
-      stats.invalid_samples += p.invalid;
-    }
+// What a batch added to a pixel.
+void counts_add(RenderCounts& counts, const FilmPixel& before, const FilmPixel& after) {
+  counts.lookups += double(after.lookups) - before.lookups;
+  counts.shadow_rays += double(after.shadow_rays) - before.shadow_rays;
+  counts.secondary_rays += double(after.secondary_rays) - before.secondary_rays;
+  counts.dropped_rays += double(after.dropped_rays) - before.dropped_rays;
+  counts.dropped_weight += double(after.dropped_weight) - before.dropped_weight;
+  counts.invalid_samples += double(after.invalid) - before.invalid;
 }
+
+std::shared_ptr<DeviceScene> device_scene_make(Context& context, const FlatScene& scene) {
+  const DriverGuard guard;
+  const ForeignLines lines("the OpenCL driver");
+  return std::make_shared<DeviceScene>(context, scene);
+}
+
+std::size_t voxel_bytes(int storage) { return storage == STORAGE_F32 ? 4 : (storage == STORAGE_F16 ? 2 : 1); }
 
 }  // namespace
 
@@ -40,42 +45,55 @@ int bvh_width_for(int lanes) { return std::max(lanes, 4); }
 
 struct Renderer::State {
   Frame frame;
-  double unit;
-  std::size_t crop_pixels, batch_rays, first_rays;
+  std::size_t batch_rays, first_rays;
   std::unique_ptr<Passes> passes;
   RenderStats stats;
+  std::vector<FilmPixel> pixels;  // of the batch at work
 
-  double total_rays() const { return static_cast<double>(crop_pixels) * frame.camera.spp; }
-
-  // What comes next, at most `rays` rays: whole pixels, or some samples of one.
-  Batch batch_at(std::size_t pixel, std::size_t sample, std::size_t rays) const {
-    const auto spp = static_cast<std::size_t>(frame.camera.spp);
-    const bool whole = sample == 0 && rays >= spp;
-    return {static_cast<cl_uint>(pixel), static_cast<cl_uint>(whole ? std::min(rays / spp, crop_pixels - pixel) : 1),
-            static_cast<cl_uint>(sample), static_cast<cl_uint>(whole ? spp : std::min(rays, spp - sample))};
+  // False where the batch has to be smaller; the film is as before then.
+  bool run(const std::vector<Work>& batch, Film& film) {
+    pixels.clear();
+    for (const Work& work : batch) pixels.push_back(film.pixels()[work.pixel]);
+    if (!passes->run(batch, pixels)) return false;
+    for (std::size_t i = 0; i < batch.size(); ++i) {
+      FilmPixel& pixel = film.pixels()[batch[i].pixel];
+      if (pixels[i].invalid > pixel.invalid && stats.invalid_samples == 0)
+        stats.first_invalid = glm::ivec2(batch[i].pixel % static_cast<uint>(film.size().x),
+                                         batch[i].pixel / static_cast<uint>(film.size().x));
+      counts_add(stats, pixel, pixels[i]);
+      pixel = pixels[i];
+    }
+    return true;
   }
 };
 
-Renderer::Renderer(Context& context, const FlatScene& scene, const RenderOptions& options) : state_(new State) {
+Renderer::Renderer(Context& context, const PlannedScene& scene, const RenderOptions& options)
+    : Renderer(context, device_scene_make(context, scene), scene, options) {
+  state_->stats.upload_s += state_->passes->scene_upload_seconds();
+}
+
+Renderer::Renderer(Context& context, std::shared_ptr<DeviceScene> device_scene, const RenderPlan& plan,
+                   const RenderOptions& options)
+    : state_(new State) {
   const DriverGuard guard;
   const ForeignLines lines("the OpenCL driver");
   State& s = *state_;
-  s.frame = scene.frame;
-  s.unit = scene.unit;
-  s.crop_pixels = static_cast<std::size_t>(s.frame.crop_x1 - s.frame.crop_x0) * (s.frame.crop_y1 - s.frame.crop_y0);
-  const std::size_t wanted =
-      options.batch_rays > 0 ? options.batch_rays : (context.device().cpu ? BATCH_CPU : BATCH_GPU);
-  s.batch_rays = std::min(wanted, static_cast<std::size_t>(s.total_rays()));
+  const FlatScene& scene = device_scene->flat();
+  s.frame = plan.frame;
+  const double crop_rays =
+      static_cast<double>(s.frame.crop_x1 - s.frame.crop_x0) * (s.frame.crop_y1 - s.frame.crop_y0) * s.frame.camera.spp;
+  const int wanted = options.batch_rays > 0 ? options.batch_rays : (context.device().cpu ? BATCH_CPU : BATCH_GPU);
+  s.batch_rays = static_cast<std::size_t>(std::clamp(crop_rays, 1.0, static_cast<double>(wanted)));
   s.first_rays = context.device().cpu ? FIRST_CPU : FIRST_GPU;
   s.stats.lanes = lanes_choose(context.device(), options.lanes);
 
-  const std::string kernel = kernel_options(scene, context.device(), s.stats.lanes, options.generic);
+  const std::string kernel = kernel_options(scene, plan, context.device(), s.stats.lanes, options.generic);
   const int tau_channels = options.generic || scene.color_tau ? 3 : 1;
-  s.passes = std::make_unique<Passes>(context, scene, kernel, tau_channels, s.batch_rays, s.crop_pixels);
+  s.passes = std::make_unique<Passes>(context, std::move(device_scene), plan, kernel, tau_channels, s.batch_rays);
   s.stats.kernel_build_s = s.passes->build_seconds();
   s.stats.upload_s = s.passes->upload_seconds();
   s.stats.device_bytes = context.allocated_bytes();
-  s.stats.voxel_bytes = scene.packed.empty() ? scene.voxels.size() * sizeof(float) : scene.packed.size();
+  s.stats.voxel_bytes = scene.voxels.size() * voxel_bytes(plan.storage);
   s.stats.bvh_bytes = (scene.bvh_nodes.size() + scene.bvh_blocks.size()) * sizeof(float) +
                       (scene.bvh_links.size() + scene.bvh_ids.size()) * sizeof(std::int32_t);
 }
@@ -84,37 +102,36 @@ Renderer::~Renderer() = default;
 
 const RenderStats& Renderer::stats() const { return state_->stats; }
 
-bool Renderer::render(Film& film, const Progress& progress) {
+bool Renderer::render(Film& film, const Progress& progress) { return render(film, work_all(state_->frame), progress); }
+
+bool Renderer::render(Film& film, const WorkList& work, const Progress& progress) {
   State& s = *state_;
+  if (film.size() != glm::ivec2(s.frame.camera.width, s.frame.camera.height))
+    throw RuntimeError("the film has another size than the camera");
   const DriverGuard guard;
   const Stopwatch watch;
-  s.stats.primary_rays = 0;
-  const double grid_items = s.passes->light_grid_items(), all = grid_items + s.total_rays();
+  WorkQueue queue(work, film.pixels().size());
+  static_cast<RenderCounts&>(s.stats) = {};
+  const double grid_items = s.passes->light_grid_items(), all = grid_items + queue.rays();
   bool go_on = true;
-  std::vector<PassStats> light_grids;
-  s.passes->fill_light_grids(light_grids, [&](double items) { return go_on = progress(items / all); });
+  s.passes->fill_light_grids([&](double items) { return go_on = progress(items / all); });
   Pace pace(s.first_rays, s.batch_rays);
-  std::size_t pixel = 0, sample = 0;
-  while (go_on && pixel < s.crop_pixels) {
-    const Batch batch = s.batch_at(pixel, sample, pace.next());
+  while (go_on) {
+    const std::vector<Work>& batch = queue.next(pace.next());
+    if (batch.empty()) break;
     const Stopwatch lap;
-    s.passes->run(batch, s.stats.passes);
-    pace.took(batch.rays(), lap.seconds());
-    s.passes->read_film(film, s.frame, batch);
-    s.stats.primary_rays += batch.rays();
-    sample += batch.samples;
-    if (sample == static_cast<std::size_t>(s.frame.camera.spp)) {
-      sample = 0;
-      pixel += batch.pixels;
+    if (!s.run(batch, film)) {
+      pace.limit(batch_rays(batch) / 2);
+      continue;
     }
+    pace.took(batch_rays(batch), lap.seconds());
+    queue.done();
+    s.stats.primary_rays += batch_rays(batch);
     go_on = progress((grid_items + s.stats.primary_rays) / all);
   }
-  s.stats.passes.insert(s.stats.passes.begin(), light_grids.begin(), light_grids.end());
+  s.stats.passes = s.passes->stats();
   s.stats.render_s += watch.seconds();
-  finish(film);
-  return s.stats.primary_rays == s.total_rays();
+  return s.stats.primary_rays == queue.rays();
 }
-
-void Renderer::finish(Film& film) { film_finish(film, state_->frame, state_->unit, state_->stats); }
 
 }  // namespace brume

@@ -7,9 +7,12 @@
 
 #include "cl/context.hpp"
 #include "film/film.hpp"
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
+#include "render/work.hpp"
 
 namespace brume {
+
+class DeviceScene;  // render/device_scene.hpp
 
 struct RenderOptions {
   int lanes = 0;         // 0: the device's own choice
@@ -23,31 +26,42 @@ struct PassStats {
   double items = 0;
 };
 
-struct RenderStats {
-  int lanes = 0;
-  double kernel_build_s = 0, upload_s = 0, render_s = 0;
+// Of one render().
+struct RenderCounts {
   double primary_rays = 0, secondary_rays = 0, shadow_rays = 0, lookups = 0;
   double dropped_rays = 0, dropped_weight = 0;  // FilmPixel::dropped_rays, dropped_weight
   double invalid_samples = 0;                   // left out of their pixels (FilmPixel::invalid)
-  glm::ivec2 first_invalid{-1, -1};             // pixel of the first of them, from the top left
+  glm::ivec2 first_invalid{-1, -1};             // pixel of the first of them in the work list, from the top left
+};
+
+// Seconds and passes: of all that the renderer did.
+struct RenderStats : RenderCounts {
+  int lanes = 0;
+  double kernel_build_s = 0, upload_s = 0, render_s = 0;
   std::vector<PassStats> passes;
   std::size_t device_bytes = 0, voxel_bytes = 0, bvh_bytes = 0;
 };
 
-// Share of the work done, in [0,1], told at least every fifth of a second or so. Returning false stops the render after the current batch.
+// Share of the work done, in [0,1], told at least every fifth of a second or so. Returning false stops the render after
+// the current batch.
 using Progress = std::function<bool(double)>;
 
 class Renderer {
  public:
   // Builds and uploads. `scene.bvh_width` must suit the lanes (a multiple of them).
-  Renderer(Context& context, const FlatScene& scene, const RenderOptions& options);
+  // The scene must outlive this, unchanged.
+  Renderer(Context& context, const PlannedScene& scene, const RenderOptions& options);
+  Renderer(Context&, PlannedScene&&, const RenderOptions&) = delete;
+  // The same for one of several plans of a scene that was uploaded: only what the plan itself holds is uploaded.
+  Renderer(Context& context, std::shared_ptr<DeviceScene> scene, const RenderPlan& plan, const RenderOptions& options);
   ~Renderer();
 
-  // Renders the crop of the frame. A film that was stopped early holds what was done (stats().primary_rays says how much, also while
-  // it goes on); returns false then.
-  bool render(Film& film, const Progress& progress);
-  // For another thread, where render() does not come back: makes what the film holds so far ready to be written.
-  void finish(Film& film);
+  // Adds the samples of `work` to what the film holds, to each pixel in the order of its entries. The film, which has
+  // the size of the camera, is ready to be written after every batch: stopped early it holds what was done
+  // (stats().primary_rays says how much, also while it goes on); returns false then. RuntimeError: a film of another
+  // size, work outside of it.
+  bool render(Film& film, const WorkList& work, const Progress& progress);
+  bool render(Film& film, const Progress& progress);  // work_all
   const RenderStats& stats() const;
 
  private:

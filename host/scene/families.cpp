@@ -6,50 +6,58 @@
 
 namespace brume {
 
-#define FAMILY(function, prefix, LIST)   \
+#define FAMILY(function, LIST)           \
   const Family& function() {             \
     static const Family rows{LIST(ROW)}; \
     return rows;                         \
   }
 
 #define ROW(id, name, help) {CAMERA_##id, name, help},
-FAMILY(camera_family, CAMERA, BRUME_CAMERAS)
+FAMILY(camera_family, BRUME_CAMERAS)
 #undef ROW
-#define ROW(id, name, help) {LIGHT_##id, name, help},
-FAMILY(light_family, LIGHT, BRUME_LIGHTS)
+#define ROW(id, name, help) {LIGHT_##id, #name, help},
+FAMILY(light_family, BRUME_LIGHTS)
 #undef ROW
 #define ROW(id, name, help) {FALLOFF_##id, name, help},
-FAMILY(falloff_family, FALLOFF, BRUME_FALLOFFS)
+FAMILY(falloff_family, BRUME_FALLOFFS)
 #undef ROW
 #define ROW(id, name, help) {MATERIAL_##id, name, help},
-FAMILY(material_family, MATERIAL, BRUME_MATERIALS)
+FAMILY(material_family, BRUME_MATERIALS)
 #undef ROW
 #define ROW(id, name, help) {TEXTURE_##id, name, help},
-FAMILY(texture_family, TEXTURE, BRUME_TEXTURES)
+FAMILY(texture_family, BRUME_TEXTURES)
 #undef ROW
 #define ROW(id, name, takes_g, help) {PHASE_##id, #name, help},
-FAMILY(phase_family, PHASE, BRUME_PHASES)
+FAMILY(phase_family, BRUME_PHASES)
 #undef ROW
 #define ROW(id, name, help) {INTERPOLATION_##id, name, help},
-FAMILY(interpolation_family, INTERPOLATION, BRUME_INTERPOLATIONS)
+FAMILY(interpolation_family, BRUME_INTERPOLATIONS)
 #undef ROW
 #define ROW(id, name, help) {IN_SCATTERING_##id, name, help},
-FAMILY(in_scattering_family, IN_SCATTERING, BRUME_IN_SCATTERINGS)
+FAMILY(in_scattering_family, BRUME_IN_SCATTERINGS)
 #undef ROW
 #define ROW(id, name, help) {SHADOW_##id, name, help},
-FAMILY(shadow_family, SHADOW, BRUME_SHADOWS)
+FAMILY(shadow_family, BRUME_SHADOWS)
 #undef ROW
 #define ROW(id, name, help) {STORAGE_##id, name, help},
-FAMILY(storage_family, STORAGE, BRUME_STORAGES)
+FAMILY(storage_family, BRUME_STORAGES)
 #undef ROW
 #define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) {METHOD_##id, name, help},
-FAMILY(method_family, METHOD, BRUME_METHODS)
+FAMILY(method_family, BRUME_METHODS)
 #undef ROW
 #undef FAMILY
 
+bool phase_takes_g(int phase) {
+#define ROW(id, name, takes_g, help) \
+  if (phase == PHASE_##id) return takes_g;
+  BRUME_PHASES(ROW)
+#undef ROW
+  return false;
+}
+
 const Family& shape_family() {
   static const Family rows{
-#define ROW(id, name, help) {SHAPE_##id, name, help},
+#define ROW(id, name, help) {SHAPE_##id, #name, help},
       BRUME_SHAPES(ROW)
 #undef ROW
           {SHAPE_COUNT, "triangle", "three vertices"},

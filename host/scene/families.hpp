@@ -11,6 +11,7 @@ const Family& falloff_family();
 const Family& material_family();
 const Family& texture_family();
 const Family& phase_family();
+bool phase_takes_g(int phase);
 const Family& interpolation_family();
 const Family& in_scattering_family();
 const Family& shadow_family();  // without "auto"

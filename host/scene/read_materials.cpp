@@ -6,6 +6,8 @@ namespace brume {
 
 namespace {
 
+static_assert(TEXTURE_COUNT == 2, "read_texture knows the keys of all");
+
 TextureDesc read_texture(const JsonValue& value, const std::filesystem::path& folder) {
   TextureDesc t;
   if (value.is_string()) {

@@ -96,7 +96,7 @@ std::array<dvec3, 2> read_bounds(const JsonValue& bounds) {
 
 void read_phase(const JsonValue& phase, MediumDesc& m) {
   m.phase = phase.get("type").as_member(phase_family(), "phase function");
-  if (m.phase == PHASE_HENYEY_GREENSTEIN) m.g = phase.number("g", m.g, Range::open(-1, 1));
+  if (phase_takes_g(m.phase)) m.g = phase.number("g", m.g, Range::open(-1, 1));
   phase.refuse_unread();
 }
 
@@ -113,6 +113,8 @@ MediumDesc read_medium(const JsonValue& medium, const std::filesystem::path& fol
   if (medium.has("emission_density"))
     m.emission_density = std::make_shared<DensityDesc>(read_density(medium.get("emission_density"), folder));
   if (medium.has("phase")) read_phase(medium.get("phase"), m);
+  if (medium.has("method")) m.method = read_method(medium, METHOD_AUTO);
+  if (medium.has("step")) m.step = read_step(medium, 1);
   medium.refuse_unread();
   return m;
 }

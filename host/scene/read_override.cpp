@@ -1,4 +1,5 @@
-// "--set /json/pointer=VALUE": changes one place of the parsed scene, or makes it. Not the check of what VALUE means there.
+// "--set /json/pointer=VALUE": changes one place of the parsed scene, or makes it. Not the check of what VALUE means
+// there.
 #include <algorithm>
 
 #include "base/error.hpp"

@@ -1,6 +1,10 @@
 // "shapes": one reader per type, chosen by a table.
+#include <iterator>
+#include <variant>
+
 #include "scene/families.hpp"
 #include "scene/read_parts.hpp"
+#include "shared/shape.h"
 
 namespace brume {
 
@@ -76,6 +80,8 @@ Geometry read_mesh(const JsonValue& s, const Folder& folder) {
 // In the order of shape_family().
 constexpr Geometry (*READERS[])(const JsonValue&, const Folder&) = {read_sphere, read_cylinder, read_plane, read_quad,
                                                                     read_box,    read_triangle, read_mesh};
+static_assert(std::size(READERS) == SHAPE_COUNT + 2 && std::variant_size_v<Geometry> == std::size(READERS),
+              "one reader and one struct per row of BRUME_SHAPES, then triangle and mesh");
 
 int read_material_name(const JsonValue& shape, const std::vector<MaterialDesc>& materials) {
   if (!shape.has("material")) return -1;

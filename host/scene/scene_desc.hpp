@@ -74,7 +74,8 @@ struct Translate {
 };
 using TransformDesc = std::vector<std::variant<Scale, Rotate, Translate>>;
 
-// `material` is an index into SceneDesc::materials, or -1 where the scene names none (a mesh then takes those of its MTL).
+// `material` is an index into SceneDesc::materials, or -1 where the scene names none (a mesh then takes those of its
+// MTL).
 struct SphereDesc {
   dvec3 center{0};
   double radius = 1;
@@ -140,11 +141,14 @@ struct MediumDesc {
   dvec3 sigma_a{0}, sigma_s{0}, emission{0};
   int phase = PHASE_ISOTROPIC;
   double g = 0;
-  std::string place;  // JSON pointer, for messages of later stages
+  std::optional<int> method;   // instead of render.method, METHOD_AUTO too
+  std::optional<double> step;  // instead of render.step
+  std::string place;           // JSON pointer, for messages of later stages
 };
 
 inline constexpr int METHOD_AUTO = -1;
 inline constexpr int SHADOW_AUTO = -1;
+inline constexpr int LIGHT_SAMPLES_AUTO = -1;
 
 struct RenderDesc {
   int method = METHOD_AUTO;
@@ -152,8 +156,9 @@ struct RenderDesc {
   int in_scattering = IN_SCATTERING_SEGMENT;
   int shadow = SHADOW_AUTO;
   int storage = STORAGE_F32;
-  int light_grid = 64;  // shadow grid: cells of the light grid along the medium's longest side
-  double roulette = 0;  // transmittance below which view rays end at random; 0: never
+  int light_grid = 64;                     // shadow grid: cells of the light grid along the medium's longest side
+  int light_samples = LIGHT_SAMPLES_AUTO;  // how many lights a point asks; 0: all
+  double roulette = 0;                     // transmittance below which view rays end at random; 0: never
   int max_depth = 5;
   int seed = 0;
 };

@@ -20,6 +20,8 @@ constexpr int FILM_SIDE_MAX = 65536;
 constexpr double STEPS_MAX = 1e5;        // along the medium's longest side
 constexpr double INTENSITY_MAX = 1e100;  // W/sr of a light inverse to the square of a distance that may itself be 1e38
 
+static_assert(CAMERA_COUNT == 2 && LIGHT_COUNT == 3, "read_camera and read_light know the keys of all");
+
 CameraDesc read_camera(const JsonValue& scene) {
   CameraDesc c;
   if (!scene.has("camera")) return c;
@@ -53,30 +55,19 @@ FilmDesc read_film(const JsonValue& scene) {
   return f;
 }
 
-double read_step_length(const JsonValue& render, double fallback) {
-  const double step = render.number("step", fallback, Range::positive());
-  if (step >= 1 / STEPS_MAX) return step;
-  char cause[160];
-  std::snprintf(cause, sizeof cause,
-                "%g makes %g steps along the longest side of a medium; at most %g are allowed, steps of %g", step,
-                1 / step, STEPS_MAX, 1 / STEPS_MAX);
-  render.get("step").fail(cause);
-}
-
 RenderDesc read_render(const JsonValue& scene) {
   RenderDesc r;
   if (!scene.has("render")) return r;
   const JsonValue render = scene.get("render");
-  Family methods = method_family();
-  methods.insert(methods.begin(), {METHOD_AUTO, "auto", "the cheapest that is exact for each medium"});
-  r.method = render.member("method", r.method, methods, "method");
-  r.step = read_step_length(render, r.step);
+  r.method = read_method(render, r.method);
+  r.step = read_step(render, r.step);
   Family shadows = shadow_family();
   shadows.insert(shadows.begin(), {SHADOW_AUTO, "auto", "trace, which is exact"});
   r.in_scattering = render.member("in_scattering", r.in_scattering, in_scattering_family(), "in-scattering rule");
   r.shadow = render.member("shadow", r.shadow, shadows, "shadow mode");
   r.storage = render.member("storage", r.storage, storage_family(), "storage");
   r.light_grid = render.integer("light_grid", r.light_grid, 1, LIGHT_GRID_MAX);
+  r.light_samples = render.integer("light_samples", r.light_samples, 0, LIGHT_PICKS_MAX);
   r.roulette = render.number("roulette", r.roulette, Range::closed(0, 1));
   r.max_depth = render.integer("max_depth", r.max_depth, 0, 64);
   r.seed = render.integer("seed", r.seed, 0, 0x7fffffff);
@@ -108,6 +99,22 @@ LightDesc read_light(const JsonValue& light) {
 }
 
 }  // namespace
+
+int read_method(const JsonValue& owner, int fallback) {
+  Family methods = method_family();
+  methods.insert(methods.begin(), {METHOD_AUTO, "auto", "the cheapest that is exact for each medium"});
+  return owner.member("method", fallback, methods, "method");
+}
+
+double read_step(const JsonValue& owner, double fallback) {
+  const double step = owner.number("step", fallback, Range::positive());
+  if (step >= 1 / STEPS_MAX) return step;
+  char cause[160];
+  std::snprintf(cause, sizeof cause,
+                "%g makes %g steps along the longest side of a medium; at most %g are allowed, steps of %g", step,
+                1 / step, STEPS_MAX, 1 / STEPS_MAX);
+  owner.get("step").fail(cause);
+}
 
 bool is_zero(const dvec3& v) { return !(glm::length(v) >= std::numeric_limits<float>::min()); }
 

@@ -9,8 +9,8 @@
 
 namespace brume {
 
-// `overrides`: "/json/pointer=VALUE", applied before anything is read. VALUE is JSON, or else a plain string; an index "-" appends.
-// Throws InputError "file: /place: cause, what is allowed".
+// `overrides`: "/json/pointer=VALUE", applied before anything is read. VALUE is JSON, or else a plain string; an index
+// "-" appends. Throws InputError "file: /place: cause, what is allowed".
 SceneDesc scene_read(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
 // The same for a text; `as_file` names it in messages, and paths in it are relative to as_file's folder.

@@ -43,6 +43,9 @@ Json transform_json(const TransformDesc& transform) {
   return steps;
 }
 
+// A row that these do not know would be written without its keys.
+static_assert(CAMERA_COUNT == 2 && LIGHT_COUNT == 3 && TEXTURE_COUNT == 2);
+
 Json camera_json(const CameraDesc& c) {
   Json json{{"type", family_name(camera_family(), c.type)},
             {"eye", vec(c.eye)},
@@ -80,7 +83,7 @@ Json material_json(const MaterialDesc& m, const Folder& folder) {
   if (m.texture->type == TEXTURE_IMAGE)
     json["texture"] = path_text(m.texture->file, folder);
   else
-    json["texture"] = {{"type", "checker"},
+    json["texture"] = {{"type", family_name(texture_family(), m.texture->type)},
                        {"colors", {vec(m.texture->colors[0]), vec(m.texture->colors[1])}},
                        {"scale", number(m.texture->scale)}};
   return json;
@@ -141,16 +144,20 @@ Json density_json(const DensityDesc& d, const Folder& folder) {
   return json;
 }
 
+Json method_json(int method) { return method == METHOD_AUTO ? "auto" : family_name(method_family(), method); }
+
 Json render_json(const RenderDesc& r) {
-  return {{"method", r.method == METHOD_AUTO ? "auto" : family_name(method_family(), r.method)},
-          {"step", number(r.step)},
-          {"in_scattering", family_name(in_scattering_family(), r.in_scattering)},
-          {"shadow", r.shadow == SHADOW_AUTO ? "auto" : family_name(shadow_family(), r.shadow)},
-          {"light_grid", r.light_grid},
-          {"storage", family_name(storage_family(), r.storage)},
-          {"roulette", r.roulette},
-          {"max_depth", r.max_depth},
-          {"seed", r.seed}};
+  Json json{{"method", method_json(r.method)},
+            {"step", number(r.step)},
+            {"in_scattering", family_name(in_scattering_family(), r.in_scattering)},
+            {"shadow", r.shadow == SHADOW_AUTO ? "auto" : family_name(shadow_family(), r.shadow)},
+            {"light_grid", r.light_grid},
+            {"storage", family_name(storage_family(), r.storage)},
+            {"roulette", r.roulette},
+            {"max_depth", r.max_depth},
+            {"seed", r.seed}};
+  if (r.light_samples != LIGHT_SAMPLES_AUTO) json["light_samples"] = r.light_samples;
+  return json;
 }
 
 Json medium_json(const MediumDesc& m, const Folder& folder) {
@@ -164,7 +171,9 @@ Json medium_json(const MediumDesc& m, const Folder& folder) {
   json["sigma_s"] = vec(m.sigma_s);
   json["emission"] = vec(m.emission);
   json["phase"] = {{"type", family_name(phase_family(), m.phase)}};
-  if (m.phase == PHASE_HENYEY_GREENSTEIN) json["phase"]["g"] = number(m.g);
+  if (phase_takes_g(m.phase)) json["phase"]["g"] = number(m.g);
+  if (m.method) json["method"] = method_json(*m.method);
+  if (m.step) json["step"] = number(*m.step);
   return json;
 }
 

@@ -1,4 +1,5 @@
-// brume-volume: reads and writes OpenVDB files for brume, which starts it and talks to it on standard input (volume/volume_protocol.hpp).
+// brume-volume: reads and writes OpenVDB files for brume, which starts it and talks to it on standard input
+// (volume/volume_protocol.hpp).
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>

@@ -1,7 +1,7 @@
-// openvdb::io::File 10.0.1 does not look at its stream: a file cut within its header has no grids, one cut later has zeros,
-// both without an error. Here the stream throws at its end, and the offsets in the header are held against the size.
-// Out of reach: OpenVDB before 11.0 trusts the sizes inside compressed chunks, so that a changed byte can make the decompressor
-// read or write out of bounds. That is why all this runs in a process of its own.
+// openvdb::io::File 10.0.1 does not look at its stream: a file cut within its header has no grids, one cut later has
+// zeros, both without an error. Here the stream throws at its end, and the offsets in the header are held against the
+// size. Out of reach: OpenVDB before 11.0 trusts the sizes inside compressed chunks, so that a changed byte can make
+// the decompressor read or write out of bounds. That is why all this runs in a process of its own.
 #include "vdb/vdb_file.hpp"
 
 #include <openvdb/io/io.h>

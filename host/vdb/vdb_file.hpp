@@ -1,5 +1,5 @@
-// An OpenVDB file opened strictly: what openvdb::io::File reads, but a file that ends early is an error instead of zeros.
-// Messages leave out the file, which the other side knows. Private to host/vdb.
+// An OpenVDB file opened strictly: what openvdb::io::File reads, but a file that ends early is an error instead of
+// zeros. Messages leave out the file, which the other side knows. Private to host/vdb.
 #pragma once
 #include <openvdb/io/Archive.h>
 #include <openvdb/io/GridDescriptor.h>

@@ -109,7 +109,8 @@ void send_tiles(const VdbPeer& peer, const Tree& tree, Taken& taken) {
   batch.flush();
 }
 
-// Is what the writer noted down about the grid what is in it? Tools that change a grid and copy its metadata leave the old.
+// Is what the writer noted down about the grid what is in it? Tools that change a grid and copy its metadata leave the
+// old.
 bool metadata_is_stale(const GridBase& grid, const VolumeTopology& t) {
   const auto lo = grid.getMetadata<openvdb::Vec3IMetadata>(GridBase::META_FILE_BBOX_MIN);
   const auto hi = grid.getMetadata<openvdb::Vec3IMetadata>(GridBase::META_FILE_BBOX_MAX);

@@ -1,4 +1,5 @@
-// OpenVDB files, answering the requests of host/volume (volume_protocol.hpp). Everything here runs in the program brume-volume.
+// OpenVDB files, answering the requests of host/volume (volume_protocol.hpp). Everything here runs in the program
+// brume-volume.
 #pragma once
 
 namespace brume {

@@ -1,7 +1,11 @@
 // The table of density sources. A new generator is one file in generators/ and one row here.
 #include "volume/density_source.hpp"
 
+#include <iomanip>
+#include <sstream>
+
 #include "base/error.hpp"
+#include "base/file_read.hpp"
 #include "volume/generators/generators.hpp"
 
 namespace brume {
@@ -31,6 +35,20 @@ const Family& density_family() {
     return rows;
   }();
   return family;
+}
+
+std::string density_key(const DensitySpec& spec) {
+  std::ostringstream key;
+  key.precision(17);
+  key << spec.type << ' ' << spec.resolution.x << ' ' << spec.resolution.y << ' ' << spec.resolution.z << ' '
+      << spec.value << ' ' << spec.scale << ' ' << spec.octaves << ' ' << spec.seed;
+  if (spec.type == "file") {
+    const VolumeValues& v = spec.values;
+    key << ' ' << std::quoted(file_key(spec.file)) << ' ' << std::quoted(spec.grid) << ' ' << v.fill << ' '
+        << v.threshold.has_value() << ' ' << v.threshold.value_or(0) << ' ' << v.scale << ' ' << v.clamp_negative;
+    for (const dvec2& point : v.remap) key << ' ' << point.x << ' ' << point.y;
+  }
+  return key.str() + (spec.of ? " of " + density_key(*spec.of) : "");
 }
 
 Grid density_make(const DensitySpec& spec) {

@@ -27,6 +27,9 @@ struct DensitySpec {
 
 const Family& density_family();
 
+// Equal where density_make gives the same grid: the file by its absolute path.
+std::string density_key(const DensitySpec& spec);
+
 // Generators: Border::CLAMP and world_from_lattice left at identity. Files: Border::ZERO and the file's transform.
 // Every sample is finite and >= 0. Throws InputError.
 Grid density_make(const DensitySpec& spec);

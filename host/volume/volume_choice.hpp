@@ -8,7 +8,8 @@ namespace brume {
 // Why a grid can never be a density, by its type, class and transform; "" if it can.
 std::string volume_refusal(const VolumeProgram::GridHead& grid, const VolumeValues& values);
 
-// The number of the grid of that name, or the one that volume_read() takes without one. InputError, naming what there is.
+// The number of the grid of that name, or the one that volume_read() takes without one. InputError, naming what there
+// is.
 std::size_t volume_find(const VolumeProgram& program, const std::string& file, const std::string& name,
                         const VolumeValues& values);
 

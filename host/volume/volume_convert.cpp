@@ -1,6 +1,7 @@
 // See volume_convert.hpp: values become densities, and what is none is cleaned or refused.
 #include "volume/volume_convert.hpp"
 
+#include <array>
 #include <cfloat>
 #include <cmath>
 #include <glm/common.hpp>
@@ -36,7 +37,11 @@ double remapped(const std::vector<dvec2>& points, double value) {
 
 VolumeConvert::VolumeConvert(const VolumeProgram::GridHead& grid, std::string place, const VolumeValues& values,
                              std::uint64_t bytes_max)
-    : head_(grid), place_(std::move(place)), values_(values), bytes_max_(bytes_max) {}
+    : head_(grid),
+      place_(std::move(place)),
+      values_(values),
+      bytes_max_(bytes_max),
+      plain_(!values.fill && !values.threshold && values.remap.empty() && values.scale == 1) {}
 
 double VolumeConvert::density(double value) const {
   if (values_.fill) value = glm::clamp(0.5 - value / voxel_, 0.0, 1.0);
@@ -82,14 +87,32 @@ float VolumeConvert::judge(float value, ivec3 index, std::uint64_t voxels) {
 }
 
 void VolumeConvert::leaf(const VolumeLeaf& leaf) {
-  const ivec3 origin = vec(leaf.origin), size = grid_.size();
+  const ivec3 origin = vec(leaf.origin);
+  const glm::i64vec3 away = glm::i64vec3(origin) - glm::i64vec3(origin_);
+  // Only a damaged process sends what lies wholly outside of the box of the active voxels.
+  if (glm::any(glm::lessThan(away, glm::i64vec3(-7))) ||
+      glm::any(glm::greaterThanEqual(away, glm::i64vec3(grid_.size()))))
+    return;
+  const ivec3 first(away);
+  const bool whole =
+      glm::all(glm::greaterThanEqual(first, ivec3(0))) && glm::all(glm::lessThanEqual(first, grid_.size() - 8));
+  std::array<float, 512> densities{};
+  float largest = 0;
   for (int n = 0; n < 512; ++n) {
     if (!(leaf.active[n >> 6] >> (n & 63) & 1)) continue;
-    const ivec3 index = origin + ivec3(n >> 6, (n >> 3) & 7, n & 7), i = index - origin_;
-    if (glm::any(glm::lessThan(i, ivec3(0))) || glm::any(glm::greaterThanEqual(i, size))) continue;
-    const float d = judge(leaf.values[n], index, 1);
-    if (d != 0) grid_.set(i, d);
+    const ivec3 at(n >> 6, (n >> 3) & 7, n & 7), i = first + at;
+    if (!whole && (glm::any(glm::lessThan(i, ivec3(0))) || glm::any(glm::greaterThanEqual(i, grid_.size())))) continue;
+    const float value = leaf.values[n];
+    float& out = densities[static_cast<std::size_t>((((at.z << 3) | at.y) << 3) | at.x)];
+    if (plain_ && value >= 0 && value <= FLT_MAX) {
+      out = value;
+      largest = std::max(largest, value);
+    } else {
+      out = judge(value, origin + at, 1);
+    }
   }
+  largest_ = std::max<double>(largest_, largest);
+  grid_.set_cube(first, densities.data());
 }
 
 void VolumeConvert::tile(const VolumeTile& tile) {

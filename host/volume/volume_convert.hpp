@@ -31,6 +31,7 @@ class VolumeConvert {
   std::string place_;
   const VolumeValues& values_;
   std::uint64_t bytes_max_;
+  bool plain_;        // densities are the values
   double voxel_ = 1;  // side of one
   VolumeTopology topology_{};
   ivec3 origin_{0};

@@ -1,5 +1,5 @@
-// Volume files: which formats there are, what a file holds, and one grid of it as a Grid. They are opened by a program of their own,
-// brume-volume, whose memory is bounded by the file's size: what a damaged file does to it ends there.
+// Volume files: which formats there are, what a file holds, and one grid of it as a Grid. They are opened by a program
+// of their own, brume-volume, whose memory is bounded by the file's size: what a damaged file does to it ends there.
 #pragma once
 #include <filesystem>
 #include <glm/vec2.hpp>
@@ -38,14 +38,14 @@ struct VolumeGridInfo {
   std::vector<std::string> notes;    // as Grid::notes
 };
 
-// The grids of a file in its order, `voxels`: read whole, so that nothing is left that could refuse them. Throws InputError for files
-// that cannot be read.
+// The grids of a file in its order, `voxels`: read whole, so that nothing is left that could refuse them. Throws
+// InputError for files that cannot be read.
 std::vector<VolumeGridInfo> volume_list(const std::filesystem::path& file, bool voxels = false);
 
-// One grid as density. An empty name takes `density`, else the one that is so called in another case, else the only one of floating
-// values, else the only one that can be a density; with several the InputError names them.
-// Border::ZERO; lattice [0, size] is the box of the active voxels, one voxel of 0 where there are none; name, source and notes are set.
-// Throws InputError.
+// One grid as density. An empty name takes `density`, else the one that is so called in another case, else the only one
+// of floating values, else the only one that can be a density; with several the InputError names them.
+// Border::ZERO; lattice [0, size] is the box of the active voxels, one voxel of 0 where there are none; name, source
+// and notes are set. Throws InputError.
 Grid volume_read(const std::filesystem::path& file, const std::string& grid_name = {}, const VolumeValues& values = {});
 
 // The same where nobody can be asked: several candidates are tried in the order above, level sets (filled) last.

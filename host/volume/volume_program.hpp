@@ -29,7 +29,8 @@ class VolumeProgram {
     std::function<void(const VolumeTile&)> tile;
   };
 
-  // All of this throws InputError "file: ..." for files that cannot be read, VolumeCrash where the program crashes on one; Interrupted on Ctrl-C.
+  // All of this throws InputError "file: ..." for files that cannot be read, VolumeCrash where the program crashes on
+  // one; Interrupted on Ctrl-C.
   explicit VolumeProgram(const std::filesystem::path& file);
   const std::vector<GridHead>& grids() const { return grids_; }
   std::string place(std::size_t i) const;  // "file: grid 'density'", for messages

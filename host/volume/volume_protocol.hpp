@@ -1,5 +1,5 @@
-// What brume and brume-volume (host/vdb) say to each other over a socket: frames, in the machine's own byte order; both are built
-// together. The program sees one file and then ends.
+// What brume and brume-volume (host/vdb) say to each other over a socket: frames, in the machine's own byte order; both
+// are built together. The program sees one file and then ends.
 #pragma once
 #include <cstdint>
 #include <cstring>
@@ -11,8 +11,9 @@ namespace brume {
 inline constexpr std::int32_t VOLUME_PROTOCOL = 1;  // a program left over from another version is told, not guessed at
 inline constexpr std::uint64_t VOLUME_FRAME_MAX = 16 << 20;
 
-// brume: OPEN, answered by a GRID for every grid of the file and DONE; then any number of READ, each answered by TOPOLOGY, and where the
-// voxels were asked for LEAVES and TILES, and DONE. Or WRITE, LEAVES and DONE, answered by DONE. FAILED ends any answer.
+// brume: OPEN, answered by a GRID for every grid of the file and DONE; then any number of READ, each answered by
+// TOPOLOGY, and where the voxels were asked for LEAVES and TILES, and DONE. Or WRITE, LEAVES and DONE, answered by
+// DONE. FAILED ends any answer.
 enum class VolumeFrame : std::int32_t { OPEN, GRID, READ, TOPOLOGY, LEAVES, TILES, WRITE, DONE, FAILED };
 
 struct VolumeFrameHead {
@@ -22,7 +23,8 @@ struct VolumeFrameHead {
 };
 
 // OPEN: text path.
-// GRID: texts name (unique), name in the file, value type, class, type of map, and why it cannot be read ("" if it can).
+// GRID: texts name (unique), name in the file, value type, class, type of map, and why it cannot be read ("" if it
+// can).
 enum class VolumeScalar : std::int32_t { NONE, FLOATING, INTEGER, MASK };
 enum class VolumeClass : std::int32_t { FOG, LEVEL_SET, OTHER };
 struct VolumeGridHead {
@@ -78,7 +80,8 @@ inline std::string volume_texts(const std::vector<std::string>& texts) {
   return joined;
 }
 
-// What a frame holds, taken apart from its front. Short ones give zeros and empty texts: a damaged process may send anything.
+// What a frame holds, taken apart from its front. Short ones give zeros and empty texts: a damaged process may send
+// anything.
 class VolumePayload {
  public:
   std::vector<char> bytes;

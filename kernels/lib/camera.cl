@@ -3,20 +3,17 @@
 #define BRUME_LIB_CAMERA_CL
 #include "lib/rng.cl"
 #include "lib/slab.cl"
+#include "lib/sobol.cl"
 #include "lib/vec.cl"
 #include "shared/frame.h"
 #include "shared/ray.h"
 
-// Where sample `sample` of `spp` sits within its pixel: strata of equal area for any spp.
-static inline float2 pixel_position(uint sample, uint spp, float xi_x, float xi_y) {
+// Where sample `sample` of `spp` sits within its pixel: the sequence of the pixel, which does not depend on spp.
+static inline float2 pixel_position(uint pixel, uint sample, uint spp, uint seed) {
   if (spp == 1) return (float2)(0.5f, 0.5f);
-  uint columns = (uint)sqrt((float)spp);
-  columns -= columns * columns > spp;
-  const uint column = (uint)(((ulong)sample * columns) / spp);
-  const uint first = (uint)(((ulong)column * spp + columns - 1) / columns);
-  const uint next = (uint)(((ulong)(column + 1) * spp + columns - 1) / columns);
-  const float rows = (float)(next - first);
-  return (float2)(((float)first + xi_x * rows) / (float)spp, ((float)(sample - first) + xi_y) / rows);
+  const uint x = owen_scramble_reversed(sample, rng_bits(pixel, 0, 0, seed));
+  const uint y = owen_scramble_reversed(sobol_reversed(sample), rng_bits(pixel, 0, 1, seed));
+  return (float2)(bits_uniform(bits_reverse(x)), bits_uniform(bits_reverse(y)));
 }
 
 // t from which the ray is inside the frame's bounds, at least `first`; 0 where it misses them.
@@ -26,11 +23,9 @@ static inline float bounds_entry(__constant const Frame* frame, float3 point, fl
   return box_cut(vec_unpack(frame->bounds_lo), vec_unpack(frame->bounds_hi), point, dir, &t0, &t1) ? t0 : 0.0f;
 }
 
-static inline Ray camera_ray(__constant const Frame* frame, uint pixel, uint sample) {
+OUTLINED Ray camera_ray(__constant const Frame* frame, uint pixel, uint sample) {
   __constant const Camera* camera = &frame->camera;
-  const float xi_x = rng_uniform(pixel, sample, 0, frame->seed);
-  const float xi_y = rng_uniform(pixel, sample, 1, frame->seed);
-  const float2 in_pixel = pixel_position(sample, (uint)camera->spp, xi_x, xi_y);
+  const float2 in_pixel = pixel_position(pixel, sample, (uint)camera->spp, frame->seed);
   const uint column = pixel % (uint)camera->width;
   const uint row = pixel / (uint)camera->width;
   const float x = 2.0f * ((float)column + in_pixel.x) / (float)camera->width - 1.0f;
@@ -47,6 +42,9 @@ static inline Ray camera_ray(__constant const Frame* frame, uint pixel, uint sam
   ray.pixel = pixel;
   ray.dir = vec_pack(dir);
   ray.sample = sample;
+  ray.weight = vec_pack((float3)(1.0f));
+  ray.seed = frame->seed;
+  ray.heirs = frame->max_depth > SECONDARY_DEPTH_WHOLE ? (float)SECONDARY_RAYS_MAX : INFINITY;
   ray.start = behind + t;
   return ray;
 }

@@ -1,5 +1,6 @@
-// floatW / intW: W floats side by side inside one work-item, W = BRUME_LANES. On a CPU they become one SIMD register; with
-// W = 1 they are plain scalars and a GPU's own threads are the lanes. PoCL does not vectorise divergent loops by itself.
+// floatW / intW: W floats side by side inside one work-item, W = BRUME_LANES. On a CPU they become one SIMD register;
+// with W = 1 they are plain scalars and a GPU's own threads are the lanes. PoCL does not vectorise divergent loops by
+// itself.
 #ifndef BRUME_LIB_LANES_CL
 #define BRUME_LIB_LANES_CL
 #include "lib/options.cl"
@@ -93,8 +94,8 @@ static inline intW lanes_gather_int(__global const int* p, intW o) {
 }
 #endif
 
-// name(p, offset, &first, &second): p[offset] and p[offset + 1] of every lane, by load2(p) -> float2. One 8-byte load a lane is
-// 1.3 times as fast as two of 4 bytes.
+// name(p, offset, &first, &second): p[offset] and p[offset + 1] of every lane, by load2(p) -> float2. One 8-byte load a
+// lane is 1.3 times as fast as two of 4 bytes.
 #if W == 1
 #define LANES_GATHER2(name, type, load2)                                                        \
   static inline void name(__global const type* p, intW offset, floatW* first, floatW* second) { \
@@ -129,7 +130,8 @@ static inline intW lanes_gather_int(__global const int* p, intW o) {
   }
 #endif
 
-// 1 - exp(-x) for x >= 0, within 3 ulp: below 1/2 its series, where the difference would cancel; a third of the time of expm1.
+// 1 - exp(-x) for x >= 0, within 3 ulp: below 1/2 its series, where the difference would cancel; a third of the time of
+// expm1.
 static inline floatW lanes_one_minus_exp(floatW x) {
   floatW series = (floatW)(-1.0f / 40320.0f);
   series = mad_exact(series, x, (floatW)(1.0f / 5040.0f));

@@ -17,6 +17,10 @@
 #define BRUME_FAST_FMA 1
 #endif
 
+#ifndef BRUME_OUTLINE  // 1: large functions are compiled once and called; 0: inlined wherever they are used
+#define BRUME_OUTLINE 0
+#endif
+
 #ifndef BRUME_MEDIA  // 0: no medium code; 1: exactly one medium; 2: any number
 #define BRUME_MEDIA 2
 #endif
@@ -59,11 +63,19 @@
 #ifndef BRUME_SPECULAR  // some material reflects or refracts
 #define BRUME_SPECULAR 1
 #endif
-#ifndef BRUME_MAX_DEPTH  // at least the frame's max_depth: the stack of pending rays
-#define BRUME_MAX_DEPTH 5
-#endif
 #ifndef BRUME_LIGHTS_USED  // bit LIGHT_x
 #define BRUME_LIGHTS_USED (-1)
+#endif
+#ifndef BRUME_LIGHTS_CHOSEN  // a point asks some of the lights, at random
+#define BRUME_LIGHTS_CHOSEN 1
+#endif
+
+// Before a large function. PoCL compiles the body of a kernel three times over and what is inlined into it as often,
+// and a cold build is most of what a small picture takes on a CPU; on a GPU a call costs more than that.
+#if BRUME_OUTLINE
+#define OUTLINED __attribute__((noinline)) static
+#else
+#define OUTLINED static inline
 #endif
 
 // For use in C conditions, where the compiler folds them; a preprocessor #if would take the enum's names for 0.
@@ -78,10 +90,18 @@ enum { PLACEMENTS_USED = 0 BRUME_METHODS(ROW) };
   | (USES_METHOD(id) ? 1 << RULE_##rule : 0)
 enum { RULES_USED = 0 BRUME_METHODS(ROW) };
 #undef ROW
-#define BRUME_RANDOM (BRUME_ROULETTE || BRUME_JITTER || BRUME_TRACKING)
+// Placements of those among them that are walked for their depth: a product needs no walk.
+#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
+  | (USES_METHOD(id) && RULE_##rule != RULE_PRODUCT ? 1 << PLACEMENT_##placement : 0)
+enum { PLACEMENTS_WALKED = 0 BRUME_METHODS(ROW) };
+#undef ROW
+#define BRUME_RANDOM (BRUME_ROULETTE || BRUME_JITTER || BRUME_TRACKING || BRUME_LIGHTS_CHOSEN)
 #define USES_PHASE(id) (((BRUME_PHASES_USED) >> PHASE_##id) & 1)
 #define USES_SHAPE(id) (((BRUME_SHAPES_USED) >> SHAPE_##id) & 1)
 #define USES_LIGHT(id) (((BRUME_LIGHTS_USED) >> LIGHT_##id) & 1)
+// Folds where all lights of a scene are of one type.
+#define LIGHT_IS(light, id) \
+  (USES_LIGHT(id) && ((BRUME_LIGHTS_USED) == (1 << LIGHT_##id) || (light)->type == LIGHT_##id))
 #define HAS_SURFACES ((BRUME_SHAPES_USED) || (BRUME_TRIANGLES))
 
 // The rest of a ray is dropped once τ exceeds this in every channel: less than e^-24 = 4e-11 of what lies behind.

@@ -3,8 +3,9 @@
 #define BRUME_LIB_RNG_CL
 #include "shared/frame.h"
 #include "shared/random.h"
+#include "shared/ray.h"
 
-static inline float rng_uniform(uint pixel, uint sample, uint dimension, uint seed) {
+static inline uint rng_bits(uint pixel, uint sample, uint dimension, uint seed) {
   uint x = pixel * 1664525u + 1013904223u;
   uint y = sample * 1664525u + 1013904223u;
   uint z = dimension * 1664525u + 1013904223u;
@@ -17,8 +18,14 @@ static inline float rng_uniform(uint pixel, uint sample, uint dimension, uint se
   y ^= y >> 16;
   z ^= z >> 16;
   w ^= w >> 16;
-  x += y * w;
-  return (float)(x >> 8) * 0x1p-24f;
+  return x + y * w;
+}
+
+// The upper 24 bits as a number in [0,1).
+static inline float bits_uniform(uint bits) { return (float)(bits >> 8) * 0x1p-24f; }
+
+static inline float rng_uniform(uint pixel, uint sample, uint dimension, uint seed) {
+  return bits_uniform(rng_bits(pixel, sample, dimension, seed));
 }
 
 // The random numbers of one walk. Streams form a tree: each ray, medium and light on the way has its own.
@@ -45,6 +52,11 @@ static inline Random random_begin(__constant const Frame* frame, uint pixel, uin
   r.pixel = pixel;
   r.sample = sample;
   r.seed = frame->seed;
+  return r;
+}
+
+static inline Random ray_random(const Ray* ray) {
+  const Random r = {ray->pixel, ray->sample, ray->seed};
   return r;
 }
 

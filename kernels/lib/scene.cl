@@ -1,5 +1,4 @@
-// All scene buffers in one struct that device functions pass around. SCENE_ARGS and SCENE_PACK are the only lists of them;
-// host/render/device_scene.cpp sets the same arguments in the same order.
+// All scene buffers in one struct that device functions pass around, made of the list in shared/scene_buffers.h.
 #ifndef BRUME_LIB_SCENE_CL
 #define BRUME_LIB_SCENE_CL
 #include "lib/vec.cl"
@@ -11,40 +10,21 @@
 #include "shared/material.h"
 #include "shared/medium.h"
 #include "shared/ray.h"
+#include "shared/scene_buffers.h"
 #include "shared/shape.h"
 
+#define SCENE_MEMBER(space, type, name, kind, member, what) space const type* name;
+#define SCENE_ARGUMENT(space, type, name, kind, member, what) space const type* name
+#define SCENE_NAME(space, type, name, kind, member, what) name
+#define SCENE_COMMA ,
+
 typedef struct {
-  __constant const Frame* frame;
-  __global const Light* lights;
-  __global const Material* materials;
-  __global const Texture* textures;
-  __global const float* texels;
-  __global const Shape* shapes;
-  __global const Triangle* triangles;
-  __global const float* bvh_nodes;
-  __global const int* bvh_links;
-  __global const float* bvh_blocks;
-  __global const int* bvh_ids;
-  __global const Medium* media;
-  __global const int* bricks;
-  __global const float* ranges;
-  __global const voxel_t* voxels;
-  __global const LightGrid* light_grids;
-  __global const float* light_tau;
+  BRUME_SCENE_BUFFERS(SCENE_MEMBER, )
 } Scene;
 
-#define SCENE_ARGS                                                                                        \
-  __constant const Frame *frame, __global const Light *lights, __global const Material *materials,        \
-      __global const Texture *textures, __global const float *texels, __global const Shape *shapes,       \
-      __global const Triangle *triangles, __global const float *bvh_nodes, __global const int *bvh_links, \
-      __global const float *bvh_blocks, __global const int *bvh_ids, __global const Medium *media,        \
-      __global const int *bricks, __global const float *ranges, __global const voxel_t *voxels,           \
-      __global const LightGrid *light_grids, __global const float *light_tau
-
-#define SCENE_PACK                                                                                                   \
-  {                                                                                                                  \
-    frame, lights, materials, textures, texels, shapes, triangles, bvh_nodes, bvh_links, bvh_blocks, bvh_ids, media, \
-        bricks, ranges, voxels, light_grids, light_tau                                                               \
-  }
+// The first arguments of every kernel that reads the scene, and the struct of them.
+#define SCENE_ARGS BRUME_SCENE_BUFFERS(SCENE_ARGUMENT, SCENE_COMMA)
+#define SCENE_PACK \
+  { BRUME_SCENE_BUFFERS(SCENE_NAME, SCENE_COMMA) }
 
 #endif

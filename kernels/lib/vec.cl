@@ -15,6 +15,15 @@ static inline Packed3 vec_pack(float3 v) {
   p.z = v.z;
   return p;
 }
+// Angle of (x, y) as a share of a turn, in [0, 1). Only textures ask for it.
+static inline float azimuth(float y, float x) {
+#if BRUME_TEXTURED
+  const float turn = atan2(y, x) * (0.5f * INV_PI_F);
+  return turn < 0.0f ? turn + 1.0f : turn;
+#else
+  return 0.0f;
+#endif
+}
 static inline float vec_max_abs(float3 v) { return fmax(fmax(fabs(v.x), fabs(v.y)), fabs(v.z)); }
 static inline float vec_max(float3 v) { return fmax(fmax(v.x, v.y), v.z); }
 static inline float vec_min(float3 v) { return fmin(fmin(v.x, v.y), v.z); }

@@ -1,4 +1,5 @@
-// Adds the samples of a batch to their pixels, in a fixed order: a picture is bit-identical from run to run.
+// Adds the samples of a batch to what their pixels hold, one after another: a picture is bit-identical from run to run
+// and for any batch.
 #include "lib/vec.cl"
 #include "shared/aov.h"
 #include "shared/frame.h"
@@ -11,54 +12,60 @@ static inline void packed_add(Packed3* sum, Packed3 v) {
   sum->z += v.z;
 }
 
-static inline FilmPixel pixel_empty(void) {
-  FilmPixel p;
-  p.radiance = p.normal = p.transmittance = vec_pack((float3)(0.0f));
-  p.dropped_rays = p.dropped_weight = 0.0f;
-  p.samples = p.depth = p.hits = p.lookups = p.shadow_rays = p.secondary_rays = p.invalid = p.clear = 0.0f;
-  p.key = 0;
-  return p;
+// Squared deviations with one sample x more. With the mean m of the n before, the new mean is m + d / (n + 1), d = x -
+// m: their squares grow by n (d / (n + 1))², the sample's own is (n d / (n + 1))², together d² n / (n + 1) [Welford62].
+// Σx² - n m² would lose a small variance of a bright pixel to rounding.
+static inline Packed3 squares_add(const FilmPixel* before, Packed3 radiance) {
+  const float n = before->samples;
+  if (n == 0.0f) return before->squares;
+  const float3 d = vec_unpack(radiance) - vec_unpack(before->radiance) / n;
+  return vec_pack(vec_unpack(before->squares) + d * d * (n / (n + 1.0f)));
 }
 
 // False where a sample would spoil its pixel: something in it left the range of float.
-static inline int sample_valid(const Sample* sample, Packed3 transmittance) {
+static inline int sample_valid(const Sample* sample) {
   const float3 size = fabs(vec_unpack(sample->radiance));
   return size.x <= SAMPLE_MAX && size.y <= SAMPLE_MAX && size.z <= SAMPLE_MAX &&
          isfinite(sample->normal.x + sample->normal.y + sample->normal.z) &&
-         isfinite(transmittance.x + transmittance.y + transmittance.z);
+         isfinite(sample->transmittance.x + sample->transmittance.y + sample->transmittance.z);
 }
 
-__kernel void accumulate(uint first_pixel, uint pixels, uint first_sample, uint samples, __global const Hit* hits,
-                         __global const MediumResult* results, __global const Sample* finished,
-                         __global FilmPixel* film) {
-  const uint pixel = (uint)get_global_id(0);
-  if (pixel >= pixels) return;
-  FilmPixel sum = pixel_empty();
-  if (first_sample > 0) sum = film[first_pixel + pixel];
-  for (uint s = 0; s < samples; ++s) {
-    const uint item = pixel * samples + s;
-    const Sample sample = finished[item];
-    sum.shadow_rays += (float)results[item].shadow_rays;
-    sum.secondary_rays += (float)results[item].secondary_rays;
-    if (!sample_valid(&sample, results[item].transmittance)) {
-      sum.invalid += 1.0f;
-      continue;
-    }
-    packed_add(&sum.radiance, sample.radiance);
-    packed_add(&sum.normal, sample.normal);
-    packed_add(&sum.transmittance, results[item].transmittance);
-    sum.samples += 1.0f;
-    sum.lookups += (float)results[item].lookups;
-    sum.dropped_rays += (float)results[item].dropped_rays;
-    sum.dropped_weight += results[item].dropped_weight;
-    sum.key += sample.key;
-    if (hits[item].primitive != PRIMITIVE_NONE) {
-      sum.depth += sample.depth;
-      sum.hits += 1.0f;
-    } else {
-      const float3 clear = vec_unpack(results[item].transmittance);
-      sum.clear += (clear.x + clear.y + clear.z) / 3.0f;
-    }
+OUTLINED void pixel_add(FilmPixel* sum, const Sample* sample, float unit) {
+  sum->shadow_rays += (float)sample->shadow_rays;
+  sum->secondary_rays += (float)sample->secondary_rays;
+  if (!sample_valid(sample)) {
+    sum->invalid += 1.0f;
+    return;
   }
-  film[first_pixel + pixel] = sum;
+  sum->squares = squares_add(sum, sample->radiance);
+  packed_add(&sum->radiance, sample->radiance);
+  packed_add(&sum->normal, sample->normal);
+  packed_add(&sum->transmittance, sample->transmittance);
+  sum->samples += 1.0f;
+  sum->lookups += (float)sample->lookups;
+  sum->dropped_rays += (float)sample->dropped_rays;
+  sum->dropped_weight += sample->dropped_weight;
+  sum->key += sample->key;
+  if (sample->hit) {
+    sum->depth += sample->depth * unit;
+    sum->hits += 1.0f;
+  } else {
+    const float3 clear = vec_unpack(sample->transmittance);
+    sum->clear += (clear.x + clear.y + clear.z) / 3.0f;
+  }
+}
+
+// pixels: of each entry of `work`, what its pixel holds. unit: of the scene in world units, a power of two.
+__kernel void accumulate(__global const Work* work, uint entries, float unit, __global const Sample* finished,
+                         __global FilmPixel* pixels) {
+  const uint item = (uint)get_global_id(0);
+  if (item >= entries) return;
+  const Work entry = work[item];
+  FilmPixel sum = pixels[item];
+#pragma unroll 1
+  for (uint s = 0; s < entry.samples; ++s) {
+    const Sample sample = finished[entry.first_ray + s];
+    pixel_add(&sum, &sample, unit);
+  }
+  pixels[item] = sum;
 }

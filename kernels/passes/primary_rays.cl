@@ -1,17 +1,30 @@
-// Camera rays of a batch and the surfaces they hit first. Item = pixel of the crop × sample, samples fastest.
+// Wave 0: the camera rays of a batch, the samples of each entry of its work side by side. Of every wave: the surfaces
+// that its rays hit first.
 #include "lib/camera.cl"
 #include "shapes/shapes.cl"
 
-__kernel void primary_rays(SCENE_ARGS, uint first_pixel, uint first_sample, uint samples, uint count,
+// The last entry that begins at ray `item` or before.
+static inline Work work_find(__global const Work* work, uint entries, uint item) {
+  uint first = 0;
+  for (uint left = entries; left > 1;) {
+    const uint half_way = left / 2;
+    if (work[first + half_way].first_ray <= item) first += half_way;
+    left -= half_way;
+  }
+  return work[first];
+}
+
+__kernel void primary_rays(SCENE_ARGS, __global const Work* work, uint entries, uint wave, uint count,
                            __global Ray* rays, __global Hit* hits) {
   const uint item = (uint)get_global_id(0);
   if (item >= count) return;
   const Scene scene = SCENE_PACK;
-  const uint index = first_pixel + item / samples;
-  const uint crop_width = (uint)(frame->crop_x1 - frame->crop_x0);
-  const uint x = (uint)frame->crop_x0 + index % crop_width, y = (uint)frame->crop_y0 + index / crop_width;
-  Ray ray = camera_ray(frame, y * (uint)frame->camera.width + x, first_sample + item % samples);
-  ray_start_before_planes(&scene, &ray);
-  rays[item] = ray;
+  if (wave == 0) {
+    const Work entry = work_find(work, entries, item);
+    Ray camera = camera_ray(frame, entry.pixel, entry.first_sample + (item - entry.first_ray));
+    ray_start_before_planes(&scene, &camera);
+    rays[item] = camera;
+  }
+  const Ray ray = rays[item];
   hits[item] = scene_hit(&scene, vec_unpack(ray.origin), vec_unpack(ray.dir), INFINITY, 0);
 }

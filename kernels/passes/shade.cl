@@ -1,40 +1,86 @@
-// Surface or background seen through the media: one finished sample per ray.
-#include "radiance/shading.cl"
+// Adds what the rays of a wave bring to their samples: surface or background seen through the media. Item = sample; of
+// a sample always in the same order, whatever else the wave holds.
+#include "lights/lights.cl"
 
-__kernel void shade(SCENE_ARGS, uint count, __global const Ray* rays, __global const Hit* hits,
-                    __global const MediumResult* results, __global const LightArrival* arrivals,
-                    __global Sample* samples) {
+static inline uint ray_key(int primitive, uint lit, uint walked, uint second) {
+  return (uint)primitive * 0x9E3779B1u + lit * 0x85EBCA6Bu + walked * 0xC2B2AE35u + second * 0x27D4EB2Fu;
+}
+
+static inline Sample sample_begin(uint item) {
+  Sample s;
+  s.radiance = s.normal = s.transmittance = vec_pack((float3)(0.0f));
+  s.depth = s.dropped_weight = 0.0f;
+  s.key = s.lookups = s.shadow_rays = s.secondary_rays = s.dropped_rays = 0;
+  s.hit = 0;
+  s.first_ray = item;
+  s.rays = 1;
+  return s;
+}
+
+static inline void sample_add_surface(Sample* s, const SurfaceResult* surface) {
+  s->lookups += surface->lookups;
+  s->shadow_rays += surface->shadow_rays;
+  s->dropped_rays += surface->dropped_rays;
+  s->dropped_weight += surface->dropped_weight;
+}
+
+// What one ray brings; counts, key and the camera ray's planes into the sample.
+OUTLINED float3 sample_add(const Scene* scene, const Ray* ray, const Hit* hit, const MediumResult* medium,
+                           const SurfaceResult* surface, uint wave, Sample* s) {
+  const int hits = HAS_SURFACES && hit->primitive != PRIMITIVE_NONE;
+  float3 behind = (float3)(0.0f);
+  uint walked = medium->shadow_key, lit = 0, second = 0;
+#if BRUME_TRACKING
+  walked += medium->lookups + (hits ? surface->lookups : 0);
+#endif
+  if (hits) {
+    behind = vec_unpack(surface->radiance);
+    lit = surface->lit;
+    second = surface->second;
+    sample_add_surface(s, surface);
+  } else if (wave > 0 || !scene->frame->hides_background) {
+    behind = background_radiance(scene, vec_unpack(ray->dir));
+  }
+  if (wave == 0) {
+    s->transmittance = medium->transmittance;
+    s->hit = hits;
+    if (hits) s->normal = surface->normal;
+    if (hits) s->depth = ray->start + hit->t;
+  }
+  s->lookups += medium->lookups;
+  s->shadow_rays += medium->shadow_rays;
+  s->secondary_rays += wave > 0;
+  s->key += ray_key(hit->primitive, lit, walked, second) * (2 * wave + 1);
+  return vec_unpack(ray->weight) * (vec_unpack(medium->radiance) + vec_unpack(medium->transmittance) * behind);
+}
+
+// sent: of each sample, how many rays its rays of this wave send on.
+__kernel void shade(SCENE_ARGS, uint wave, uint count, __global const Ray* rays, __global const Hit* hits,
+                    __global const MediumResult* results, __global const SurfaceResult* surfaces,
+                    __global Sample* samples, __global uint* sent) {
   const uint item = (uint)get_global_id(0);
   if (item >= count) return;
   const Scene scene = SCENE_PACK;
-  const MediumResult medium = results[item];
-  float3 behind = frame->hides_background ? (float3)(0.0f) : vec_unpack(frame->background);
-  float3 normal = (float3)(0.0f);
-  float depth = 0.0f;
-  uint lit = 0, second = 0, walked = medium.shadow_key;
-#if BRUME_TRACKING
-  walked += medium.lookups;  // as in media_scatter: those of the shadow rays from the hit too
-#endif
-#if HAS_SURFACES
-  const Hit hit = hits[item];
-  if (hit.primitive != PRIMITIVE_NONE) {
-    const Ray ray = rays[item];
-    Shading shading = shading_begin(&scene, &ray, &hit);
-    for (int l = 0; l < frame->light_count; ++l) {
-      const LightArrival arrival = arrivals[(size_t)l * count + item];
-      shading_add_light(&scene, &shading, l, &arrival);
-    }
-    behind = shading.radiance;
-    normal = shading.surface.normal;
-    depth = ray.start + hit.t;
-    lit = shading.lit;
-    second = shading.second;
+  Sample sample = samples[item];
+  if (wave == 0) sample = sample_begin(item);
+  uint total = 0;
+  float3 sum = vec_unpack(sample.radiance),
+         lost = (float3)(0.0f);  // of thousands of rays rounding would be seen [Kahan65]
+  for (uint i = sample.first_ray; i < sample.first_ray + sample.rays; ++i) {
+    const Ray ray = rays[i];
+    const Hit hit = hits[i];
+    const MediumResult medium = results[i];
+    SurfaceResult surface;
+    surface.sent = 0;
+    if (HAS_SURFACES && hit.primitive != PRIMITIVE_NONE) surface = surfaces[i];
+    const float3 next = sample_add(&scene, &ray, &hit, &medium, &surface, wave, &sample) - lost, before = sum;
+    sum = before + next;
+    lost = (sum - before) - next;
+    total += surface.sent;
   }
-#endif
-  Sample sample;
-  sample.radiance = vec_pack(vec_unpack(medium.radiance) + vec_unpack(medium.transmittance) * behind);
-  sample.key = shading_key(hits[item].primitive, lit, walked, second);
-  sample.normal = vec_pack(normal);
-  sample.depth = depth;
+  sample.radiance = vec_pack(sum);
   samples[item] = sample;
+#if BRUME_SPECULAR
+  sent[item] = total;
+#endif
 }

@@ -1,18 +1,33 @@
-// What reaches each hit from each light: blocked by surfaces, else weakened by the media on the way.
-#include "radiance/shading.cl"
+// Each hit under the lights: what is not blocked by surfaces and weakened by the media on the way, scattered towards
+// the ray; and the rays that the hit sends on.
+#include "path/send_on.cl"
+#include "path/surface_light.cl"
 
-__kernel void shadow_transmittance(SCENE_ARGS, uint count, __global const Ray* rays, __global const Hit* hits,
-                                   __global MediumResult* results, __global LightArrival* arrivals) {
+OUTLINED SurfaceResult surface_result(const Scene* scene, const Ray* ray, const Hit* hit, float3 transmittance,
+                                      int sends, __global Ray* sent) {
+  SurfaceResult result;
+  result.lit = result.lookups = result.sent = result.dropped_rays = 0;
+  result.dropped_weight = 0.0f;
+  const Surface surface = surface_at(scene, ray, hit);
+  const Material material = scene->materials[surface.material];
+  result.normal = vec_pack(surface.normal);
+  result.radiance =
+      vec_pack(surface_lights(scene, &surface, &material, -vec_unpack(ray->dir), ray_random(ray), &result));
+#if BRUME_SPECULAR
+  if (sends) rays_send(ray, &surface, &material, vec_unpack(ray->weight) * transmittance, sent, &result);
+#endif
+  return result;
+}
+
+// `wave`: how many surfaces the rays have met before.
+__kernel void shadow_transmittance(SCENE_ARGS, uint wave, uint count, __global const Ray* rays,
+                                   __global const Hit* hits, __global const MediumResult* results,
+                                   __global SurfaceResult* surfaces, __global Ray* sent) {
   const uint item = (uint)get_global_id(0);
   if (item >= count || hits[item].primitive == PRIMITIVE_NONE) return;
   const Scene scene = SCENE_PACK;
   const Ray ray = rays[item];
   const Hit hit = hits[item];
-  const Surface surface = surface_at(&scene, &ray, &hit);
-  const Random random = random_begin(frame, ray.pixel, ray.sample);
-  uint lookups = 0;
-  for (int l = 0; l < frame->light_count; ++l)
-    arrivals[(size_t)l * count + item] = surface_arrival(&scene, &surface, l, random, &lookups);
-  results[item].lookups += lookups;
-  results[item].shadow_rays += (uint)frame->light_count;
+  surfaces[item] = surface_result(&scene, &ray, &hit, vec_unpack(results[item].transmittance),
+                                  (int)wave < frame->max_depth, sent + (size_t)SENT_MAX * item);
 }

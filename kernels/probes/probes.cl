@@ -1,10 +1,12 @@
 // Entry points that run single device functions on arrays, for `brume check` and the kernel tests. All have one form:
 // item i reads its floats of `in` and writes its floats of `out`; host/check knows the strides.
+#include "density/density.cl"
 #include "lib/camera.cl"
-#include "radiance/material.cl"
-#include "radiance/radiative.cl"
-#include "radiance/surface.cl"
+#include "materials/material.cl"
+#include "materials/surface.cl"
+#include "media/radiative.cl"
 #include "shared/aov.h"
+#include "shared/layout.h"
 
 #define PROBE(name) __kernel void name(SCENE_ARGS, uint count, __global const float* in, __global float* out)
 #define PROBE_ITEM                          \
@@ -96,7 +98,7 @@ PROBE(probe_texture) {
 PROBE(probe_light) {
   PROBE_ITEM;
   __global const float* v = in + 4 * item;
-  const LightSample s = light_sample(lights, as_int(v[0]), probe_load3(v + 1));
+  const LightSample s = light_sample(&scene, as_int(v[0]), probe_load3(v + 1), random_begin(frame, item, 0));
   probe_store3(s.travel, out + 7 * item);
   probe_store3(s.irradiance, out + 7 * item + 3);
   out[7 * item + 6] = s.distance;
@@ -133,6 +135,21 @@ PROBE(probe_integral) {
   out[item] = walk_total(&scene, &medium, &ray, random_begin(frame, item, 0), 0.0f, &lookups);
 }
 
+// in: medium as bits, 16 points in its cell space. out: their densities
+#define PROBE_POINTS 16
+PROBE(probe_density) {
+  PROBE_ITEM;
+  __global const float* v = in + (1 + 3 * PROBE_POINTS) * item;
+  const Medium medium = media[as_int(v[0])];
+  for (int first = 0; first < PROBE_POINTS; first += W) {
+    float p[3][W], density[W];
+    for (int i = 0; i < W; ++i)
+      for (int axis = 0; axis < 3; ++axis) p[axis][i] = v[1 + 3 * (first + i) + axis];
+    lanes_store(density_at(&scene, &medium, lanes_load(p[0]), lanes_load(p[1]), lanes_load(p[2])), density);
+    for (int i = 0; i < W; ++i) out[PROBE_POINTS * item + first + i] = density[i];
+  }
+}
+
 // in: origin, direction, t_max. out: radiance and transmittance of all media
 PROBE(probe_scatter) {
   PROBE_ITEM;
@@ -143,13 +160,31 @@ PROBE(probe_scatter) {
   probe_store3(vec_unpack(result.transmittance), out + 6 * item + 3);
 }
 
-// out: size of each shared struct as this device lays it out
+// in: material as bits, normal, to light, to viewer. out: radiance of irradiance 1; 0 for light from behind
+PROBE(probe_material) {
+  PROBE_ITEM;
+  __global const float* v = in + 10 * item;
+  const Material material = materials[as_int(v[0])];
+  const float3 normal = probe_load3(v + 1), to_light = probe_load3(v + 4), to_viewer = probe_load3(v + 7);
+  float3 sent = (float3)(0.0f);
+  if (dot(normal, to_light) > 0.0f)
+    sent = material_reflect(&material, vec_unpack(material.diffuse), normal, to_light, to_viewer);
+  probe_store3(sent, out + 3 * item);
+}
+
+// out: of each shared struct its size, then where each of its fields lies, as this device lays it out
 PROBE(probe_layout) {
   PROBE_ITEM;
   (void)in;
-  const float sizes[] = {sizeof(Packed3),      sizeof(Affine),       sizeof(Camera),  sizeof(Frame),
-                         sizeof(Light),        sizeof(Material),     sizeof(Texture), sizeof(Shape),
-                         sizeof(Triangle),     sizeof(Medium),       sizeof(Ray),     sizeof(Hit),
-                         sizeof(MediumResult), sizeof(LightArrival), sizeof(Sample),  sizeof(FilmPixel)};
-  for (int i = 0; i < (int)(sizeof(sizes) / sizeof(float)); ++i) out[i] = sizes[i];
+  int n = 0;
+#define F(field) out[n++] = (float)(uint)(size_t)(&((Laid*)0)->field);
+#define STRUCT(struct_type, fields)       \
+  {                                       \
+    typedef struct_type Laid;             \
+    out[n++] = (float)(uint)sizeof(Laid); \
+    fields                                \
+  }
+  BRUME_STRUCTS(STRUCT)
+#undef STRUCT
+#undef F
 }

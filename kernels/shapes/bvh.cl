@@ -1,4 +1,5 @@
-// Ordered traversal of the wide BVH (layout: shared/bvh.h): a node's boxes are tested W at a time, nearer children first.
+// Ordered traversal of the wide BVH (layout: shared/bvh.h): a node's boxes are tested W at a time, nearer children
+// first.
 #ifndef BRUME_SHAPES_BVH_CL
 #define BRUME_SHAPES_BVH_CL
 #include "lib/scene.cl"
@@ -10,7 +11,8 @@ typedef struct {
   int far_x, far_y, far_z;
 } BoxRay;
 
-// A zero component becomes tiny instead: the slab then either contains the ray for all t that matter or for none, without NaN.
+// A zero component becomes tiny instead: the slab then either contains the ray for all t that matter or for none,
+// without NaN.
 static inline float safe_inverse(float d) { return 1.0f / (fabs(d) < 1e-18f ? copysign(1e-18f, d) : d); }
 
 static inline BoxRay box_ray(float3 origin, float3 dir) {

@@ -1,7 +1,8 @@
 // Closed cylinder: side and two caps. Hits are found in the cylinder's own frame, z along the axis.
 #ifndef BRUME_SHAPES_CYLINDER_CL
 #define BRUME_SHAPES_CYLINDER_CL
-#include "shapes/sphere.cl"
+#include "shapes/quadratic.cl"
+#include "shapes/shape.cl"
 
 typedef struct {
   float3 base, axis, side_x, side_y;
@@ -10,11 +11,11 @@ typedef struct {
 
 static inline Cylinder cylinder_load(const Shape* shape) {
   Cylinder c;
-  c.base = (float3)(shape->data[0], shape->data[1], shape->data[2]);
-  c.axis = (float3)(shape->data[3], shape->data[4], shape->data[5]);
+  c.base = shape_vec(shape, 0);
+  c.axis = shape_vec(shape, 3);
   c.height = shape->data[6];
   c.radius = shape->data[7];
-  c.side_x = (float3)(shape->data[8], shape->data[9], shape->data[10]);
+  c.side_x = shape_vec(shape, 8);
   c.side_y = cross(c.axis, c.side_x);
   return c;
 }
@@ -23,46 +24,47 @@ static inline float3 cylinder_frame(const Cylinder* c, float3 v) {
   return (float3)(dot(v, c->side_x), dot(v, c->side_y), dot(v, c->axis));
 }
 
-static inline float cylinder_hit(const Cylinder* c, float3 origin, float3 dir) {
-  const float3 o = cylinder_frame(c, origin - c->base);
-  const float3 d = cylinder_frame(c, dir);
+static inline float cylinder_hit(const Shape* shape, float3 origin, float3 dir) {
+  const Cylinder c = cylinder_load(shape);
+  const float3 o = cylinder_frame(&c, origin - c.base);
+  const float3 d = cylinder_frame(&c, dir);
   float best = INFINITY;
   const float a = mad_exact(d.x, d.x, d.y * d.y);
   if (a > 0.0f) {
     const float b = mad_exact(o.x, d.x, o.y * d.y);
     const float cross_z = mad_exact(o.x, d.y, -o.y * d.x);  // discriminant = a r² - (o × d)²: no cancellation far away
-    const float k = mad_exact(o.x, o.x, mad_exact(o.y, o.y, -c->radius * c->radius));
+    const float k = mad_exact(o.x, o.x, mad_exact(o.y, o.y, -c.radius * c.radius));
     float t[2];
-    if (quadratic_roots(a, b, k, mad_exact(a * c->radius, c->radius, -cross_z * cross_z), &t[0], &t[1])) {
+    if (quadratic_roots(a, b, k, mad_exact(a * c.radius, c.radius, -cross_z * cross_z), &t[0], &t[1])) {
       for (int i = 0; i < 2; ++i) {
         const float z = mad_exact(t[i], d.z, o.z);
-        if (t[i] > 0.0f && t[i] < best && z >= 0.0f && z <= c->height) best = t[i];
+        if (t[i] > 0.0f && t[i] < best && z >= 0.0f && z <= c.height) best = t[i];
       }
     }
   }
   if (d.z != 0.0f) {
     for (int i = 0; i < 2; ++i) {
-      const float t = ((i ? c->height : 0.0f) - o.z) / d.z;
+      const float t = ((i ? c.height : 0.0f) - o.z) / d.z;
       const float x = mad_exact(t, d.x, o.x), y = mad_exact(t, d.y, o.y);
-      if (t > 0.0f && t < best && x * x + y * y <= c->radius * c->radius) best = t;
+      if (t > 0.0f && t < best && x * x + y * y <= c.radius * c.radius) best = t;
     }
   }
   return best;
 }
 
 // Outward normal: the surface (side or a cap) to which the point is nearest.
-static inline float3 cylinder_normal(const Cylinder* c, float3 point, float2* uv) {
-  const float3 p = cylinder_frame(c, point - c->base);
+static inline float3 cylinder_normal(const Shape* shape, float3 point, float2* uv) {
+  const Cylinder c = cylinder_load(shape);
+  const float3 p = cylinder_frame(&c, point - c.base);
   const float radial = sqrt(p.x * p.x + p.y * p.y);
-  const float from_side = fabs(c->radius - radial);
-  const float from_cap = fmin(fabs(p.z), fabs(c->height - p.z));
+  const float from_side = fabs(c.radius - radial);
+  const float from_cap = fmin(fabs(p.z), fabs(c.height - p.z));
   if (from_cap < from_side) {
-    *uv = (float2)(0.5f * (p.x / c->radius + 1.0f), 0.5f * (p.y / c->radius + 1.0f));
-    return p.z < 0.5f * c->height ? -c->axis : c->axis;
+    *uv = (float2)(0.5f * (p.x / c.radius + 1.0f), 0.5f * (p.y / c.radius + 1.0f));
+    return p.z < 0.5f * c.height ? -c.axis : c.axis;
   }
-  const float u = atan2(p.y, p.x) * (0.5f * INV_PI_F);
-  *uv = (float2)(u < 0.0f ? u + 1.0f : u, p.z / c->height);
-  return (p.x * c->side_x + p.y * c->side_y) / radial;
+  *uv = (float2)(azimuth(p.y, p.x), p.z / c.height);
+  return (p.x * c.side_x + p.y * c.side_y) / radial;
 }
 
 #endif

@@ -1,25 +1,21 @@
-// Unbounded plane and parallelogram.
+// Unbounded plane.
 #ifndef BRUME_SHAPES_PLANE_CL
 #define BRUME_SHAPES_PLANE_CL
-#include "lib/vec.cl"
+#include "shapes/shape.cl"
 
-static inline float plane_hit(float3 point, float3 normal, float3 origin, float3 dir) {
+// Point and normal are the first six numbers of a plane and of a quad.
+static inline float plane_hit(const Shape* shape, float3 origin, float3 dir) {
+  const float3 normal = shape_vec(shape, 3);
   const float facing = dot(normal, dir);
   if (facing == 0.0f) return INFINITY;  // parallel, beside the plane or in it: no hit
-  const float t = dot(normal, point - origin) / facing;
+  const float t = dot(normal, shape_vec(shape, 0) - origin) / facing;
   return t > 0.0f ? t : INFINITY;
 }
 
-// Coordinates (s, t) within the parallelogram, along the axes of shared/shape.h.
-static inline float2 quad_coordinates(float3 s_axis, float3 t_axis, float3 from_corner) {
-  return (float2)(dot(from_corner, s_axis), dot(from_corner, t_axis));
-}
-
-static inline float quad_hit(float3 corner, float3 normal, float3 s_axis, float3 t_axis, float3 origin, float3 dir) {
-  const float t = plane_hit(corner, normal, origin, dir);
-  if (!(t < INFINITY)) return INFINITY;
-  const float2 st = quad_coordinates(s_axis, t_axis, vec_point(origin, dir, t) - corner);
-  return st.x >= 0.0f && st.x <= 1.0f && st.y >= 0.0f && st.y <= 1.0f ? t : INFINITY;
+static inline float3 plane_normal(const Shape* shape, float3 point, float2* uv) {
+  const float3 n = shape_vec(shape, 3), u = shape_vec(shape, 6), from = point - shape_vec(shape, 0);
+  *uv = (float2)(dot(from, u), dot(from, cross(n, u)));
+  return n;
 }
 
 #endif

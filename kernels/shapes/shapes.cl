@@ -6,35 +6,28 @@
 #include "shapes/bvh.cl"
 #include "shapes/cylinder.cl"
 #include "shapes/plane.cl"
+#include "shapes/quad.cl"
 #include "shapes/sphere.cl"
 
 #define PLANE_MARGIN 0x1p-5f  // of the distance to a plane: how far before it a ray starts
 
-static inline float3 shape_vec(const Shape* shape, int i) {
-  return (float3)(shape->data[i], shape->data[i + 1], shape->data[i + 2]);
-}
-
-static inline Affine shape_affine(const Shape* shape) {
-  Affine a;
-  for (int i = 0; i < 12; ++i) a.m[i] = shape->data[i];
-  return a;
-}
-
+// t of the nearest hit with t > 0 of one shape; INFINITY for a miss. A row without its function does not compile.
 static inline float shape_hit(const Shape* shape, float3 origin, float3 dir) {
-  const int type = shape->type;
-  if (USES_SHAPE(SPHERE) && type == SHAPE_SPHERE) return sphere_hit(shape_vec(shape, 0), shape->data[3], origin, dir);
-  if (USES_SHAPE(CYLINDER) && type == SHAPE_CYLINDER) {
-    const Cylinder c = cylinder_load(shape);
-    return cylinder_hit(&c, origin, dir);
-  }
-  if (USES_SHAPE(PLANE) && type == SHAPE_PLANE) return plane_hit(shape_vec(shape, 0), shape_vec(shape, 3), origin, dir);
-  if (USES_SHAPE(QUAD) && type == SHAPE_QUAD)
-    return quad_hit(shape_vec(shape, 0), shape_vec(shape, 3), shape_vec(shape, 6), shape_vec(shape, 9), origin, dir);
-  if (USES_SHAPE(BOX) && type == SHAPE_BOX) {
-    const Affine a = shape_affine(shape);
-    return box_hit(&a, origin, dir);
-  }
+#define ROW(id, name, help) \
+  if (USES_SHAPE(id) && shape->type == SHAPE_##id) return name##_hit(shape, origin, dir);
+  BRUME_SHAPES(ROW)
+#undef ROW
   return INFINITY;
+}
+
+// Outward unit normal and uv of the surface to which the point is nearest.
+static inline float3 shape_normal(const Shape* shape, float3 point, float2* uv) {
+#define ROW(id, name, help) \
+  if (USES_SHAPE(id) && shape->type == SHAPE_##id) return name##_normal(shape, point, uv);
+  BRUME_SHAPES(ROW)
+#undef ROW
+  *uv = (float2)(0.0f);
+  return (float3)(0.0f, 0.0f, 1.0f);
 }
 
 // Nearest surface with 0 < t < t_max; `any`: the first one found will do.
@@ -60,7 +53,8 @@ static inline Hit scene_hit(const Scene* scene, float3 origin, float3 dir, float
   return hit;
 }
 
-// A camera ray that starts at the scene's bounds may have passed a plane on its way there, which has no bounds: back to before it.
+// A camera ray that starts at the scene's bounds may have passed a plane on its way there, which has no bounds: back to
+// before it.
 static inline void ray_start_before_planes(const Scene* scene, Ray* ray) {
   if (!USES_SHAPE(PLANE)) return;
   const float3 origin = vec_unpack(ray->origin), dir = vec_unpack(ray->dir);

@@ -1,24 +1,14 @@
 // Sphere: nearest positive root of |o + t d - c|² = r².
 #ifndef BRUME_SHAPES_SPHERE_CL
 #define BRUME_SHAPES_SPHERE_CL
-#include "lib/vec.cl"
+#include "shapes/quadratic.cl"
+#include "shapes/shape.cl"
 
-// Both roots of a t² + 2 b t + c = 0 without cancellation; 0 when there are none. a > 0.
-static inline int quadratic_roots(float a, float b, float c, float discriminant, float* t0, float* t1) {
-  if (!(discriminant >= 0.0f)) return 0;
-  const float root = sqrt(discriminant);
-  const float q = -(b + copysign(root, b));
-  const float r0 = q / a;
-  const float r1 = q == 0.0f ? 0.0f : c / q;
-  *t0 = fmin(r0, r1);
-  *t1 = fmax(r0, r1);
-  return 1;
-}
-
-// The discriminant comes from the distance of the centre to the ray, not from b² - ac: that difference loses everything for
-// a far, small sphere [Haines19].
-static inline float sphere_hit(float3 center, float radius, float3 origin, float3 dir) {
-  const float3 f = origin - center;
+// The discriminant comes from the distance of the centre to the ray, not from b² - ac: that difference loses everything
+// for a far, small sphere [Haines19].
+static inline float sphere_hit(const Shape* shape, float3 origin, float3 dir) {
+  const float radius = shape->data[3];
+  const float3 f = origin - shape_vec(shape, 0);
   const float b = dot(f, dir);
   const float3 perpendicular = f - b * dir;
   const float discriminant = mad_exact(radius, radius, -dot(perpendicular, perpendicular));
@@ -28,8 +18,17 @@ static inline float sphere_hit(float3 center, float radius, float3 origin, float
 }
 
 static inline float2 sphere_uv(float3 normal) {
-  const float u = atan2(-normal.z, normal.x) * (0.5f * INV_PI_F);
-  return (float2)(u < 0.0f ? u + 1.0f : u, 1.0f - acos(clamp(normal.y, -1.0f, 1.0f)) * INV_PI_F);
+#if BRUME_TEXTURED
+  return (float2)(azimuth(-normal.z, normal.x), 1.0f - acos(clamp(normal.y, -1.0f, 1.0f)) * INV_PI_F);
+#else
+  return (float2)(0.0f);
+#endif
+}
+
+static inline float3 sphere_normal(const Shape* shape, float3 point, float2* uv) {
+  const float3 n = normalize(point - shape_vec(shape, 0));
+  *uv = sphere_uv(n);
+  return n;
 }
 
 #endif

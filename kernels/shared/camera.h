@@ -15,10 +15,12 @@ enum CameraType {
       CAMERA_COUNT
 };
 
-// perspective:  point = axis + back (x right + y up),   dir = normalize(forward + x right + y up), the eye at -back along forward
+// perspective:  point = axis + back (x right + y up),   dir = normalize(forward + x right + y up), the eye at -back
+// along forward
 // orthographic: point = axis + x right + y up,          dir = forward, the eye's plane at -back
-// forward is unit; right and up carry the extent of the view. `axis` lies on the line of sight: in the eye itself (back = 0), but
-// for cameras far from the scene beside the scene, so that float is spent on what is seen and not on the way to it.
+// forward is unit; right and up carry the extent of the view. `axis` lies on the line of sight: in the eye itself (back
+// = 0), but for cameras far from the scene beside the scene, so that float is spent on what is seen and not on the way
+// to it.
 typedef struct {
   Packed3 axis;
   int type;

@@ -12,7 +12,6 @@ typedef struct {
   Packed3 ambient;
   int shape_count;
   int medium_count;
-  int material_count;
   int triangle_count;
   uint seed;
   int in_scattering;
@@ -22,6 +21,7 @@ typedef struct {
   int crop_x0, crop_y0, crop_x1, crop_y1;  // pixels rendered: [x0,x1) x [y0,y1)
   Packed3 bounds_lo,
       bounds_hi;         // a box about everything finite, where camera rays start; lo = hi: there is nothing finite
+  int light_picks;       // how many lights a point asks: all, or fewer that it chooses by FlatScene::light_shares
   int hides_background;  // 1: camera rays see nothing where they hit nothing; mirrors and glass go on seeing it
 } Frame;
 BRUME_LAYOUT(Frame, 176);

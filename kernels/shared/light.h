@@ -1,13 +1,20 @@
-// Lights without extent. E is the irradiance at normal incidence: intensity/d² (inverse_square), intensity (none) or the
-// irradiance itself (directional).
+// Lights without extent. E is the irradiance at normal incidence: intensity/d² (inverse_square), intensity (none) or
+// the irradiance itself (directional).
 #ifndef BRUME_SHARED_LIGHT_H
 #define BRUME_SHARED_LIGHT_H
 #include "shared/platform.h"
 
-#define BRUME_LIGHTS(ROW)                                                                     \
-  ROW(POINT, "point", "position, intensity in W/sr, falloff")                                 \
-  ROW(DIRECTIONAL, "directional", "direction in which the light travels, irradiance in W/m²") \
-  ROW(SPOT, "spot", "a point light within a cone of half-angle `angle` degrees about direction")
+// ROW(ID, name; kernels: NAME_sample, help)
+#define BRUME_LIGHTS(ROW)                                                                   \
+  ROW(POINT, point, "position, intensity in W/sr, falloff")                                 \
+  ROW(DIRECTIONAL, directional, "direction in which the light travels, irradiance in W/m²") \
+  ROW(SPOT, spot, "a point light within a cone of half-angle `angle` degrees about direction")
+
+// How many lights a point asks: all of up to LIGHTS_ENUMERATED, of more LIGHT_PICKS chosen at random by their power,
+// unless render.light_samples says otherwise; never more than LIGHT_PICKS_MAX.
+#define LIGHTS_ENUMERATED 256
+#define LIGHT_PICKS 32
+#define LIGHT_PICKS_MAX 65536
 
 #define BRUME_FALLOFFS(ROW)                                   \
   ROW(INVERSE_SQUARE, "inverse_square", "E = intensity / d²") \
@@ -27,8 +34,8 @@ enum Falloff {
       FALLOFF_COUNT
 };
 
-// A light far from the scene has a length of its own, 2^exponent flat units, in which its position and intensity are given:
-// neither its distance nor the square of it leaves float.
+// A light far from the scene has a length of its own, 2^exponent flat units, in which its position and intensity are
+// given: neither its distance nor the square of it leaves float.
 typedef struct {
   Packed3 position;
   int type;

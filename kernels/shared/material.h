@@ -44,9 +44,9 @@ typedef struct {
 BRUME_LAYOUT(Material, 80);
 
 // checker: color_a where floor(u scale) + floor(v scale) is even, color_b elsewhere.
-// image: texel (x, row) of linear RGB at texels[3 * (offset + row * width + x)]; row 0 is the BOTTOM row (v = 0). It is looked up at
-// uv_scale * uv + uv_offset; its color is base + gain * texel, 0 where that is negative. It is repeated, or, clamped, shown once: then
-// beside [0, 1]² the color is 1.
+// image: texel (x, row) of linear RGB at texels[3 * (offset + row * width + x)]; row 0 is the BOTTOM row (v = 0). It is
+// looked up at uv_scale * uv + uv_offset; its color is base + gain * texel, 0 where that is negative. It is repeated,
+// or, clamped, shown once: then beside [0, 1]² the color is 1.
 typedef struct {
   int type;
   int width;

@@ -1,4 +1,4 @@
-// A participating medium over a brick grid (design §5).
+// Participating media: a grid, where it stands, what fills it, and how a picture walks through it.
 // "Cell space": the space in which the DDA walks. Cell c spans [c, c+1) on each axis.
 //   nearest:   cell = voxel; sample c is the value of the whole cell.
 //   trilinear: cell c lies between sample c and sample c+1; the value at cell-space position p blends the 8 samples
@@ -13,34 +13,112 @@
 #define BRICK_VALUES (BRICK_SAMPLES * BRICK_SAMPLES * BRICK_SAMPLES)
 #define BRICK_EMPTY (-1)  // entry of a brick whose samples are all zero: not stored
 
+// The index is cut into blocks of bricks too.
+#define BRICK_BLOCK_SHIFT 3
+#define BRICK_BLOCK (1 << BRICK_BLOCK_SHIFT)  // bricks along a side
+#define BRICK_BLOCK_ENTRIES (BRICK_BLOCK * BRICK_BLOCK * BRICK_BLOCK)
+
 BRUME_SHARED_BEGIN
 enum MediumRegion { REGION_BOX, REGION_SPHERE };  // sphere: the ellipsoid inscribed in [lo, hi]; only for `constant`
 
-// bricks:  ints, entry of brick (bx,by,bz) at brick_offset + (bz*brick_ny + by)*brick_nx + bx: number b of its stored samples,
-//          which begin at voxels[b * BRICK_VALUES], or BRICK_EMPTY. Bricks of one constant value share one stored brick.
-// ranges:  2 floats (min, max of the samples) per brick at the same index.
+// A grid cut into bricks, wherever it stands and however many media show it.
+// bricks:  ints, the index, of two levels. Block (b >> 3) of brick b: where in `bricks` its entries begin stands at
+//          brick_offset + (z * blocks_y + y) * blocks_x + x, blocks = ceil(brick_n / 8). Entry of brick b, at that
+//          + ((z & 7) * 8 + (y & 7)) * 8 + (x & 7): number n of its stored samples, which begin at
+//          voxels[n * BRICK_VALUES], or BRICK_EMPTY. Blocks of the same entry throughout share them; bricks of one
+//          constant value share their samples.
+// ranges:  2 floats (min, max of the samples) per stored brick.
+typedef struct {
+  int brick_offset;
+  int cells_x, cells_y, cells_z;     // cells of the grid; cells outside a medium's [lo, hi] may exist as padding
+  int brick_nx, brick_ny, brick_nz;  // ceil(cells / BRICK_CELLS)
+} BrickGrid;
+BRUME_LAYOUT(BrickGrid, 28);
+
+// A density in the world: a grid, or one value all over a region.
 typedef struct {
   Affine cell_from_world;
   Affine world_from_cell;
-  Packed3 lo;  // the medium fills [lo, hi] in cell space; outside its density is 0
-  int brick_offset;
+  Packed3 lo;  // it fills [lo, hi] in cell space; outside the density is 0
+  int grid;    // -1: none, the density is constant_density
   Packed3 hi;
   int interpolation;
-  Packed3 sigma_a;  // per world unit, times density
-  int phase;
-  Packed3 sigma_s;
-  float g;
-  Packed3 emission;  // radiance per world unit, times density
   int region;
-  int cells_x, cells_y, cells_z;     // cells of the grid; cells outside [lo, hi] may exist as padding
-  int brick_nx, brick_ny, brick_nz;  // ceil(cells / BRICK_CELLS)
-  float constant_density;            // where is_constant
-  int is_constant;                   // no bricks: the density is constant_density all over the region
-  float step;                        // world length of a marching step for this medium
-  int method;                        // Method, resolved: never auto
-  int light_grids;    // 0: light is traced; else 1 + the number of the first of its light grids, one per light
+  float constant_density;
+} PlacedGrid;
+BRUME_LAYOUT(PlacedGrid, 136);
+
+// What fills it. A glow with a density of its own is a medium of its own (density -1), so that it keeps its own exact
+// walk.
+typedef struct {
+  Packed3 sigma_a;  // per world unit, times density
+  int density;      // placed grid that absorbs and scatters, -1: none
+  Packed3 sigma_s;
+  int glow;          // placed grid that emits, the density where that is not -1; -1: none
+  Packed3 emission;  // radiance per world unit, times density
+  int phase;
+  float g;
+} MediumBody;
+BRUME_LAYOUT(MediumBody, 52);
+
+// How one picture walks through a medium.
+typedef struct {
+  int method;         // Method, resolved: never auto
+  float step;         // world length of a marching step
   float track_sigma;  // extinction per density at which trackers collide: the largest σt, or what makes a glow seen
+  int light_grids;    // number of the first of its light grids, one per light; -1: light is traced
+} MediumWalk;
+BRUME_LAYOUT(MediumWalk, 16);
+
+// All of it side by side, as kernels read it: one copy out of memory for every ray.
+typedef struct {
+  Affine cell_from_world, world_from_cell;
+  Packed3 lo, hi;
+  int brick_offset, cells_x, cells_y, cells_z, brick_nx, brick_ny, brick_nz;
+  int interpolation, region, is_constant;
+  float constant_density;
+  Packed3 sigma_a, sigma_s, emission;
+  int phase;
+  float g;
+  int method;
+  float step, track_sigma;
+  int light_grids;
 } Medium;
 BRUME_LAYOUT(Medium, 224);
+
+#ifndef __OPENCL_C_VERSION__
+static inline int medium_placed(MediumBody body) { return body.density >= 0 ? body.density : body.glow; }
+
+// `grid` is not read where the density is constant.
+static inline Medium medium_join(const BrickGrid* grid, const PlacedGrid* placed, const MediumBody* body,
+                                 const MediumWalk* walk) {
+  Medium m;
+  m.cell_from_world = placed->cell_from_world;
+  m.world_from_cell = placed->world_from_cell;
+  m.lo = placed->lo;
+  m.hi = placed->hi;
+  m.brick_offset = grid->brick_offset;
+  m.cells_x = grid->cells_x;
+  m.cells_y = grid->cells_y;
+  m.cells_z = grid->cells_z;
+  m.brick_nx = grid->brick_nx;
+  m.brick_ny = grid->brick_ny;
+  m.brick_nz = grid->brick_nz;
+  m.interpolation = placed->interpolation;
+  m.region = placed->region;
+  m.is_constant = placed->grid < 0;
+  m.constant_density = placed->constant_density;
+  m.sigma_a = body->sigma_a;
+  m.sigma_s = body->sigma_s;
+  m.emission = body->emission;
+  m.phase = body->phase;
+  m.g = body->g;
+  m.method = walk->method;
+  m.step = walk->step;
+  m.track_sigma = walk->track_sigma;
+  m.light_grids = walk->light_grids;
+  return m;
+}
+#endif
 BRUME_SHARED_END
 #endif

@@ -14,8 +14,8 @@
 #define DRAWS_PLACES 1      // where in each step to sample
 #define DRAWS_COLLISIONS 2  // where to collide: right in the mean for any density
 
-// Ratio and residual ratio tracking ask for light at a tentative collision with TRACK_LIGHTS times the probability that it is real
-// (at most 1): a brick with one hot voxel has a million collisions that hardly scatter.
+// Ratio and residual ratio tracking ask for light at a tentative collision with TRACK_LIGHTS times the probability that
+// it is real (at most 1): a brick with one hot voxel has a million collisions that hardly scatter.
 #define TRACK_LIGHTS 4.0f
 
 // Where segments begin and end. PLACEMENT(ID, help)
@@ -32,8 +32,8 @@
   RULE(SAMPLE, march, 1)          \
   RULE(PRODUCT, homogeneous, 0)
 
-// ROW(ID, name, densities that it fits, placement, rule, share of a segment before its sample, over how much more of it the sample is
-// drawn, draws, densities for which it is exact, help). `auto` takes the first that is exact.
+// ROW(ID, name, densities that it fits, placement, rule, share of a segment before its sample, over how much more of it
+// the sample is drawn, draws, densities for which it is exact, help). `auto` takes the first that is exact.
 #define BRUME_METHODS(ROW)                                                                                          \
   ROW(DDA_NEAREST, "dda_nearest", FITS_NEAREST, CELLS, NEAREST, 0.5f, 0.0f, DRAWS_NOTHING, FITS_NEAREST,            \
       "voxel by voxel; exact for nearest")                                                                          \

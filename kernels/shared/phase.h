@@ -1,5 +1,5 @@
-// Phase functions. The sign convention is stated once, in kernels/phase/phase.cl and design §4: cos θ between directions of
-// TRAVEL before and after scattering, so g > 0 is forward.
+// Phase functions. The sign convention is stated once, in kernels/phase/phase.cl and design §4: cos θ between
+// directions of TRAVEL before and after scattering, so g > 0 is forward.
 #ifndef BRUME_SHARED_PHASE_H
 #define BRUME_SHARED_PHASE_H
 #include "shared/platform.h"

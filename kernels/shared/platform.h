@@ -16,6 +16,7 @@
   static_assert(alignof(type) == 4, #type " must hold 4-byte scalars only")
 #endif
 
+// Every struct that crosses has its row in shared/layout.h as well: fields and offsets are compared there.
 BRUME_SHARED_BEGIN
 #ifndef __OPENCL_C_VERSION__
 using uint = std::uint32_t;
@@ -33,9 +34,5 @@ typedef struct {
 } Affine;
 BRUME_LAYOUT(Affine, 48);
 BRUME_SHARED_END
-
-// A family (shapes, phases, methods, ...) is one list of rows ROW(ID, name, help). Its enum, the parser's names, --help,
-// error messages, tests and benchmarks all expand that list; see host/base/family.hpp.
-#define BRUME_FAMILY_ENUM(prefix, id) prefix##_##id,
 
 #endif

@@ -3,19 +3,32 @@
 #define BRUME_SHARED_RAY_H
 #include "shared/platform.h"
 
-// Reflected and refracted rays that one sample may send on. Up to this depth all of them are no more; deeper ones share it out.
+// Reflected and refracted rays that one sample may send on. Up to this depth all of them are no more; deeper ones share
+// it out.
 #define SECONDARY_RAYS_MAX 4096
 #define SECONDARY_DEPTH_WHOLE 11
 
 BRUME_SHARED_BEGIN
+// Samples of one pixel in a batch. No pixel has two entries in it.
+typedef struct {
+  uint pixel;  // y * width + x of the whole film, y = 0 at the top
+  uint first_sample, samples;
+  uint first_ray;  // of the batch: all samples of the entries before
+} Work;
+BRUME_LAYOUT(Work, 16);
+
+// A camera ray, or one that a surface sent on.
 typedef struct {
   Packed3 origin;
   uint pixel;   // y * width + x, y = 0 at the top
   Packed3 dir;  // unit, world space
   uint sample;
-  float start;  // of a camera ray: distance from the camera to its origin
+  Packed3 weight;  // of its light in the sample: 1 for a camera ray
+  uint seed;       // of its random numbers
+  float heirs;     // how many rays it may send on, those that these send on included
+  float start;     // of a camera ray: distance from the camera to its origin
 } Ray;
-BRUME_LAYOUT(Ray, 36);
+BRUME_LAYOUT(Ray, 56);
 
 // t: distance to the surface, INFINITY for a miss. u, v: barycentric coordinates of a triangle (else 0).
 typedef struct {
@@ -25,7 +38,7 @@ typedef struct {
 } Hit;
 BRUME_LAYOUT(Hit, 16);
 
-// What a medium did to one ray from its origin to the hit.
+// What the media did to one ray from its origin to the hit.
 typedef struct {
   Packed3 transmittance;
   uint lookups;      // density fetches, shadow rays included
@@ -33,26 +46,36 @@ typedef struct {
   uint
       shadow_key;  // counts the samples whose light was blocked by a surface: two renderers agree on it or sit at an edge
   uint shadow_rays;
-  uint secondary_rays;
+} MediumResult;
+BRUME_LAYOUT(MediumResult, 36);
+
+// What a surface sends towards the ray that hit it, and the rays that it sends on.
+typedef struct {
+  Packed3 radiance;  // its own light and what it scatters of all lights
+  uint lit;          // bit l mod 32: light l reaches it
+  Packed3 normal;    // shading normal
+  uint second;       // 1 in the second part of its texture
+  uint lookups;
+  uint shadow_rays;
+  uint sent;             // rays that it sends on, at most SENT_MAX: entries SENT_MAX * ray on of their buffer
   uint dropped_rays;     // that were not sent on
   float dropped_weight;  // of those: the largest channel of each, added up
-} MediumResult;
-BRUME_LAYOUT(MediumResult, 48);
+} SurfaceResult;
+BRUME_LAYOUT(SurfaceResult, 52);
+#define SENT_MAX 2  // reflected and refracted
 
-// What reaches a surface point from one light: entry [light * rays + ray].
-typedef struct {
-  Packed3 transmittance;  // of the media; 0 where a surface blocks or N·L <= 0
-  uint lit;               // 1 unless blocked or N·L <= 0
-} LightArrival;
-BRUME_LAYOUT(LightArrival, 16);
-
-// One finished sample, ready to be summed into its pixel.
+// One sample as it grows, ready to be summed into its pixel after its last ray.
 typedef struct {
   Packed3 radiance;
-  uint key;        // see ARCHITECTURE, Keys
-  Packed3 normal;  // shading normal, 0 for a miss
-  float depth;     // from the camera to the surface, 0 for a miss
+  uint key;               // see ARCHITECTURE, Keys
+  Packed3 normal;         // of the camera ray's hit: shading normal, 0 for a miss
+  float depth;            // from the camera to that hit, 0 for a miss
+  Packed3 transmittance;  // of the media before it
+  int hit;                // 0 for a miss
+  uint first_ray, rays;   // its rays of the wave at work
+  uint lookups, shadow_rays, secondary_rays, dropped_rays;
+  float dropped_weight;
 } Sample;
-BRUME_LAYOUT(Sample, 32);
+BRUME_LAYOUT(Sample, 76);
 BRUME_SHARED_END
 #endif

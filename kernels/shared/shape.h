@@ -3,13 +3,14 @@
 #define BRUME_SHARED_SHAPE_H
 #include "shared/platform.h"
 
+// ROW(ID, name; kernels: NAME_hit and NAME_normal, help)
 // The analytic shapes. `triangle` and `mesh` are scene types too; both become Triangles.
-#define BRUME_SHAPES(ROW)                                                                     \
-  ROW(SPHERE, "sphere", "center, radius")                                                     \
-  ROW(CYLINDER, "cylinder", "closed cylinder: centre of the base, centre of the top, radius") \
-  ROW(PLANE, "plane", "unbounded: a point and the normal")                                    \
-  ROW(QUAD, "quad", "parallelogram corner + s u + t v, s and t in [0,1]")                     \
-  ROW(BOX, "box", "min, max, with a transform")
+#define BRUME_SHAPES(ROW)                                                                   \
+  ROW(SPHERE, sphere, "center, radius")                                                     \
+  ROW(CYLINDER, cylinder, "closed cylinder: centre of the base, centre of the top, radius") \
+  ROW(PLANE, plane, "unbounded: a point and the normal")                                    \
+  ROW(QUAD, quad, "parallelogram corner + s u + t v, s and t in [0,1]")                     \
+  ROW(BOX, box, "min, max, with a transform")
 
 BRUME_SHARED_BEGIN
 enum ShapeType {
@@ -20,14 +21,19 @@ enum ShapeType {
 };
 
 // data, by type (uv: texture coordinates of the hit)
-//   sphere    0-2 center, 3 radius                       uv: u = atan2(-z, x)/2π mod 1, v = 1 - acos(y)/π of the unit normal
+//   sphere    0-2 center, 3 radius                       uv: u = atan2(-z, x)/2π mod 1, v = 1 - acos(y)/π of the unit
+//   normal
 //   cylinder  0-2 base, 3-5 unit axis, 6 height, 7 radius, 8-10 unit x axis of its frame
-//                                                        uv: side u = azimuth/2π mod 1, v = height fraction; caps ((x+1)/2, (y+1)/2)
+//                                                        uv: side u = azimuth/2π mod 1, v = height fraction; caps
+//                                                        ((x+1)/2, (y+1)/2)
 //   plane     0-2 point, 3-5 unit normal, 6-8 u axis, as long as a flat unit is in world units
-//                                                        uv: (p - point)·u axis, (p - point)·(normal × u axis): world units
-//   quad      0-2 corner, 3-5 unit normal, 6-8 s axis, 9-11 t axis: with (p - corner)·axis = s, t for p = corner + s u + t v
+//                                                        uv: (p - point)·u axis, (p - point)·(normal × u axis): world
+//                                                        units
+//   quad      0-2 corner, 3-5 unit normal, 6-8 s axis, 9-11 t axis: with (p - corner)·axis = s, t for p = corner + s u
+//   + t v
 //                                                        uv: (s, t)
-//   box       0-11 Affine from world to the unit cube [0,1]³   uv: the face's two remaining coordinates, x before y before z
+//   box       0-11 Affine from world to the unit cube [0,1]³   uv: the face's two remaining coordinates, x before y
+//   before z
 typedef struct {
   int type;
   int material;

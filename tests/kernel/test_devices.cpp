@@ -1,5 +1,5 @@
-// The kernels on other OpenCL implementations, in child processes: rusticl on llvmpipe, and Oclgrind, which watches every
-// access. A device that is not installed is skipped by name; PoCL is never skipped (test_check.cpp).
+// The kernels on other OpenCL implementations, in child processes: rusticl on llvmpipe, and Oclgrind, which watches
+// every access. A device that is not installed is skipped by name; PoCL is never skipped (test_check.cpp).
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 

@@ -14,13 +14,15 @@ namespace {
 
 constexpr int RAYS = 100000;
 
-// Relative to the optical depth of each ray. Seven roundings of 2^-24 make 4.2e-7: the quotient and product of a crossing (3),
-// the interpolation (2), the product with the length and the sum (2). A walk of n cells adds n terms; with lanes and batches the sum is
-// a tree over which roundings grow slower than n: one more such constant per 64 cells holds with room.
+// Relative to the optical depth of each ray. Seven roundings of 2^-24 make 4.2e-7: the quotient and product of a
+// crossing (3), the interpolation (2), the product with the length and the sum (2). A walk of n cells adds n terms;
+// with lanes and batches the sum is a tree over which roundings grow slower than n: one more such constant per 64 cells
+// holds with room.
 //
-// The rays begin inside, at multiples of 2^-10 of a cell, and voxels have sides of powers of two: origin and direction in cell space are
-// exact then, and what is measured is the method. In general the origin carries half a digit, which a ray that leaves almost along a face
-// magnifies by 1/|d|: that is how well the question is posed, and no method can be better (`integral` and `grazing` of brume check).
+// The rays begin inside, at multiples of 2^-10 of a cell, and voxels have sides of powers of two: origin and direction
+// in cell space are exact then, and what is measured is the method. In general the origin carries half a digit, which a
+// ray that leaves almost along a face magnifies by 1/|d|: that is how well the question is posed, and no method can be
+// better (`integral` and `grazing` of brume check).
 constexpr double allowed(double cells) { return 4e-7 * (1 + cells / 64); }
 
 struct Lattice {
@@ -29,7 +31,7 @@ struct Lattice {
   dvec3 side;  // of a voxel, powers of two
 };
 
-FlatScene scene_of(const Lattice& lattice, const char* method, const char* interpolation) {
+PlannedScene scene_of(const Lattice& lattice, const char* method, const char* interpolation) {
   const dvec3 half = 0.5 * lattice.cells * lattice.side;
   char text[600];
   std::snprintf(text, sizeof text,
@@ -37,7 +39,7 @@ FlatScene scene_of(const Lattice& lattice, const char* method, const char* inter
     "density": {"type": "perlin", "resolution": [%g, %g, %g], "scale": 3, "octaves": 2, "seed": 5}}], "render": {"method": "%s"}})",
                 interpolation, -half.x, -half.y, -half.z, half.x, half.y, half.z, lattice.cells.x, lattice.cells.y,
                 lattice.cells.z, method);
-  FlatScene scene = flatten(scene_read_text(text, "exact.json", {}), {8, {}});
+  PlannedScene scene = flatten(scene_read_text(text, "exact.json", {}), {8, {}});
   EXPECT_EQ(scene.origin, dvec3(0));
   return scene;
 }
@@ -66,8 +68,8 @@ Rays rays_make(const Lattice& lattice, double unit) {
 
 void expect_exact(const Lattice& lattice, const char* method, const char* interpolation, int lanes) {
   static Context context(device_choose("portable computing language"));
-  const FlatScene scene = scene_of(lattice, method, interpolation);
-  const Medium& medium = scene.media[0];
+  const PlannedScene scene = scene_of(lattice, method, interpolation);
+  const Medium medium = scene.medium(0);
   const Rays rays = rays_make(lattice, scene.unit);
   const std::vector<float> found = Probe(context, scene, lanes).run("probe_integral", rays.packed, 8, 1);
   double worst = 0;

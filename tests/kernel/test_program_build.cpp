@@ -1,5 +1,5 @@
-// What a kernel that does not compile says: which device, what its compiler said, and where the source was kept. And how texts
-// become one source.
+// What a kernel that does not compile says: which device, what its compiler said, and where the source was kept. And
+// how texts become one source.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
-// One closed form: a scene of scenes/tests and the radiance that its derivation gives, held against kernels and reference.
+// One closed form: a scene of scenes/tests and the radiance that its derivation gives, held against kernels and
+// reference.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -21,14 +22,14 @@ inline constexpr double KERNEL_LIMIT = 1e-5;      // relative, float
 inline constexpr double REFERENCE_LIMIT = 1e-12;  // relative, double
 
 // Radiance of a camera ray of the flat scene, by the derivation in the scene's file.
-using ClosedForm = std::function<double(const FlatScene&, const reference::RayD&)>;
+using ClosedForm = std::function<double(const PlannedScene&, const reference::RayD&)>;
 
 inline Context& pocl() {
   static Context context(device_choose("portable computing language"));
   return context;
 }
 
-inline FlatScene scene_flat(const std::string& name, const std::vector<std::string>& overrides, int lanes) {
+inline PlannedScene scene_flat(const std::string& name, const std::vector<std::string>& overrides, int lanes) {
   const SceneDesc desc = scene_read(std::string(BRUME_SOURCE_DIR) + "/scenes/tests/" + name, overrides);
   return flatten(desc, {bvh_width_for(lanes), {}});
 }
@@ -39,13 +40,13 @@ inline void expect_relative(double value, double expected, double limit, const s
 }
 
 // Closed forms are in the units of the scene's file.
-inline reference::RayD in_world(const FlatScene& scene, const reference::RayD& ray) {
+inline reference::RayD in_world(const PlannedScene& scene, const reference::RayD& ray) {
   return {scene.world(ray.origin), ray.dir};
 }
 
 inline void expect_closed_form(const std::string& name, const ClosedForm& form,
                                const std::vector<std::string>& overrides = {}, int scatter_order = 0) {
-  const FlatScene scene = scene_flat(name, overrides, 4);
+  const PlannedScene scene = scene_flat(name, overrides, 4);
   const reference::Context context(scene, {scatter_order, 1});
   const Camera& camera = scene.frame.camera;
   for (int y = 0; y < camera.height; ++y)
@@ -56,7 +57,7 @@ inline void expect_closed_form(const std::string& name, const ClosedForm& form,
     }
   for (const int lanes : {1, 4, 8, 16}) {
     // Kernels made for the scene with 8 lanes; else those for any scene, which are built once for all tests.
-    const FlatScene flat = scene_flat(name, overrides, lanes);
+    const PlannedScene flat = scene_flat(name, overrides, lanes);
     Film film({camera.width, camera.height});
     Renderer(pocl(), flat, {lanes, lanes != 8, 0}).render(film, [](double) { return true; });
     for (int y = 0; y < camera.height; ++y)

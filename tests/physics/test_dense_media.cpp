@@ -1,4 +1,5 @@
-// Light in media of any optical depth: closed forms of the slab, one medium against two halves of it, light from every side.
+// Light in media of any optical depth: closed forms of the slab, one medium against two halves of it, light from every
+// side.
 #include <array>
 #include <cmath>
 #include <string>
@@ -9,8 +10,8 @@
 namespace brume::test {
 namespace {
 
-// A slab of depth 2 and any width, sigma_t times density 1, albedo 0.8, lit at cos = mu by E = 4π and seen along its normal:
-// what comes back is 0.8 ∫ σ exp(-σ z (1 + 1/mu)) dz = 0.8 (1 - exp(-2 σ (1 + 1/mu))) / (1 + 1/mu).
+// A slab of depth 2 and any width, sigma_t times density 1, albedo 0.8, lit at cos = mu by E = 4π and seen along its
+// normal: what comes back is 0.8 ∫ σ exp(-σ z (1 + 1/mu)) dz = 0.8 (1 - exp(-2 σ (1 + 1/mu))) / (1 + 1/mu).
 double slab_form(double sigma_t, double mu) {
   const double k = 1 + 1 / mu;
   return 0.8 * -std::expm1(-2 * sigma_t * k) / k;
@@ -37,14 +38,14 @@ std::string slab_scene(const std::string& density, double sigma_t, double mu, co
 }
 
 double kernel_pixel(const std::string& scene, int lanes) {
-  const FlatScene flat = flatten(scene_read_text(scene, "slab.json", {}), {bvh_width_for(lanes), {}});
+  const PlannedScene flat = flatten(scene_read_text(scene, "slab.json", {}), {bvh_width_for(lanes), {}});
   Film film({2, 2});
   Renderer(pocl(), flat, {lanes, true, 0}).render(film, [](double) { return true; });
   return film.pixels()[1].radiance.y;
 }
 
 double reference_pixel(const std::string& scene, int scatter_order = 0) {
-  const FlatScene flat = flatten(scene_read_text(scene, "slab.json", {}), {4, {}});
+  const PlannedScene flat = flatten(scene_read_text(scene, "slab.json", {}), {4, {}});
   const reference::Context context(flat, {scatter_order, 1});
   return reference::ray_render(context, reference::camera_ray(flat.frame.camera, 1, 0, {0.5, 0.5})).radiance.y;
 }

@@ -9,7 +9,7 @@ namespace {
 constexpr double ISOTROPIC = 1 / (4 * M_PI);
 
 TEST(MediaForms, SlabByEveryMethodThatFits) {
-  const ClosedForm form = [](const FlatScene&, const reference::RayD&) { return std::exp(-1.5); };
+  const ClosedForm form = [](const PlannedScene&, const reference::RayD&) { return std::exp(-1.5); };
   expect_closed_form("slab.json", form);
   for (const char* method : {"dda_gauss2", "dda_midpoint", "march_midpoint", "homogeneous"})
     expect_closed_form("slab.json", form, {std::string("/render/method=") + method});
@@ -18,7 +18,7 @@ TEST(MediaForms, SlabByEveryMethodThatFits) {
 }
 
 TEST(MediaForms, RampAlongObliqueRays) {
-  const ClosedForm form = [](const FlatScene&, const reference::RayD& ray) {
+  const ClosedForm form = [](const PlannedScene&, const reference::RayD& ray) {
     return std::exp(-0.875 / std::abs(ray.dir.y));
   };
   expect_closed_form("ramp.json", form, {"/render/method=dda_gauss2"});
@@ -27,21 +27,21 @@ TEST(MediaForms, RampAlongObliqueRays) {
 }
 
 TEST(MediaForms, SphereChord) {
-  expect_closed_form("sphere_chord.json", [](const FlatScene&, const reference::RayD& ray) {
+  expect_closed_form("sphere_chord.json", [](const PlannedScene&, const reference::RayD& ray) {
     const double b2 = ray.origin.x * ray.origin.x + ray.origin.y * ray.origin.y;
     return std::exp(-0.5 * 2 * std::sqrt(std::max(0.0, 1 - b2)));
   });
 }
 
 TEST(MediaForms, SingleScatteringFromTheFront) {
-  const ClosedForm form = [](const FlatScene&, const reference::RayD&) {
+  const ClosedForm form = [](const PlannedScene&, const reference::RayD&) {
     return 0.75 * ISOTROPIC * 8 * (1 - std::exp(-4.0)) / 2;
   };
   expect_closed_form("scatter_front.json", form, {}, 8);
 }
 
 TEST(MediaForms, SingleScatteringFromBehind) {
-  const ClosedForm form = [](const FlatScene&, const reference::RayD&) {
+  const ClosedForm form = [](const PlannedScene&, const reference::RayD&) {
     return 0.75 * ISOTROPIC * 8 * 2 * std::exp(-2.0);
   };
   expect_closed_form("scatter_back.json", form, {}, 8);
@@ -74,10 +74,10 @@ TEST(MediaForms, GlowByADensityOfItsOwn) {
   const double s = 0.75;
   const auto glow = [](const reference::RayD& ray) { return 1 - (ray.origin.y + 1) / 2; };
   const double whole = (1 - std::exp(-2 * s)) / s;
-  const ClosedForm form = [&](const FlatScene&, const reference::RayD& ray) { return glow(ray) * whole; };
+  const ClosedForm form = [&](const PlannedScene&, const reference::RayD& ray) { return glow(ray) * whole; };
   expect_closed_form("glow_own.json", form, {"/render/method=dda_gauss2"});
   expect_closed_form("glow_own.json", form, {"/render/method=march_midpoint", "/render/step=0.0025"});
-  const FlatScene scene = scene_flat("glow_own.json", {"/render/method=dda_gauss2"}, 4);
+  const PlannedScene scene = scene_flat("glow_own.json", {"/render/method=dda_gauss2"}, 4);
   const reference::RayD ray = reference::camera_ray(scene.frame.camera, 1, 0, {0.5, 0.5});
   expect_relative(reference::ray_render(reference::Context(scene, {8, 1}), ray).radiance.y, glow(ray) * whole,
                   REFERENCE_LIMIT, "glow_own.json, exact");

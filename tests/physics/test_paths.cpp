@@ -1,4 +1,5 @@
-// Rays that surfaces send on: what is followed, what is left out, and that both are counted alike by kernels and reference.
+// Rays that surfaces send on: what is followed, what is left out, and that both are counted alike by kernels and
+// reference.
 #include <cmath>
 #include <string>
 
@@ -8,7 +9,8 @@
 namespace brume::test {
 namespace {
 
-// Quads of one material, `pairs` of them before and behind the camera, seen along their normal; the glow is what each hit adds.
+// Quads of one material, `pairs` of them before and behind the camera, seen along their normal; the glow is what each
+// hit adds.
 std::string facing_mirrors(const std::string& material, int depth, int pairs = 1) {
   std::string shapes;
   for (int i = 1; i <= pairs; ++i)
@@ -25,7 +27,7 @@ struct Pixel {
 };
 
 Pixel kernel_pixel(const std::string& scene, int lanes) {
-  const FlatScene flat = flatten(scene_read_text(scene, "mirrors.json", {}), {bvh_width_for(lanes), {}});
+  const PlannedScene flat = flatten(scene_read_text(scene, "mirrors.json", {}), {bvh_width_for(lanes), {}});
   Film film({2, 2});
   Renderer(pocl(), flat, {lanes, false, 0}).render(film, [](double) { return true; });
   const FilmPixel& p = film.pixels()[0];
@@ -33,7 +35,7 @@ Pixel kernel_pixel(const std::string& scene, int lanes) {
 }
 
 reference::PixelD reference_pixel(const std::string& scene) {
-  const FlatScene flat = flatten(scene_read_text(scene, "mirrors.json", {}), {4, {}});
+  const PlannedScene flat = flatten(scene_read_text(scene, "mirrors.json", {}), {4, {}});
   return reference::pixel_render(reference::Context(flat, {}), 0, 0);
 }
 

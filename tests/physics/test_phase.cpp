@@ -5,6 +5,7 @@
 #include "check/check_parts.hpp"
 #include "physics/closed_form.hpp"
 #include "reference/quadrature.hpp"
+#include "scene/families.hpp"
 
 namespace brume::test {
 namespace {
@@ -15,7 +16,7 @@ struct Moments {
 
 // θ = π x^3 (or mirrored): nodes crowd where the lobe is. 2π ∫ p(θ) sinθ dθ with Gauss-Legendre on 64 pieces.
 Moments phase_moments(int phase, double g, int lanes) {
-  const FlatScene scene = check_scene("surfaces", 8, bvh_width_for(lanes));
+  const PlannedScene scene = check_scene("surfaces", 8, bvh_width_for(lanes));
   std::vector<float> in;
   std::vector<double> weights, cosines;
   const auto nodes = reference::gauss_legendre(8);
@@ -51,6 +52,11 @@ TEST(Phase, IntegratesToOneWithMeanCosineG) {
       EXPECT_NEAR(m.cosine, static_cast<float>(g), KERNEL_LIMIT) << "g = " << g;
     }
   }
+}
+
+TEST(Phase, EveryRowIntegratesToOne) {
+  for (const FamilyRow& row : phase_family())
+    EXPECT_NEAR(phase_moments(row.id, phase_takes_g(row.id) ? 0.5 : 0, 8).norm, 1, KERNEL_LIMIT) << row.name;
 }
 
 }  // namespace

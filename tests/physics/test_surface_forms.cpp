@@ -8,14 +8,14 @@ namespace brume::test {
 namespace {
 
 TEST(SurfaceForms, InverseSquareAndCosineOnLambert) {
-  expect_closed_form("lambert.json", [](const FlatScene&, const reference::RayD& ray) {
+  expect_closed_form("lambert.json", [](const PlannedScene&, const reference::RayD& ray) {
     const double d2 = 1 + ray.origin.x * ray.origin.x + ray.origin.z * ray.origin.z;
     return 0.75 / M_PI * 4 / d2 / std::sqrt(d2);
   });
 }
 
 TEST(SurfaceForms, BlinnPhongHighlight) {
-  expect_closed_form("blinn_phong.json", [](const FlatScene& scene, const reference::RayD& ray) {
+  expect_closed_form("blinn_phong.json", [](const PlannedScene& scene, const reference::RayD& ray) {
     const Packed3& l = scene.lights[0].direction;
     const dvec3 to_light = -glm::normalize(dvec3(l.x, l.y, l.z));
     if (ray.dir.y >= 0) return 0.0;  // above the horizon
@@ -25,7 +25,7 @@ TEST(SurfaceForms, BlinnPhongHighlight) {
 
 TEST(SurfaceForms, PhongHighlight) {
   expect_closed_form("blinn_phong.json",
-                     [](const FlatScene& scene, const reference::RayD& ray) {
+                     [](const PlannedScene& scene, const reference::RayD& ray) {
                        const Packed3& l = scene.lights[0].direction;
                        const dvec3 to_light = -glm::normalize(dvec3(l.x, l.y, l.z));
                        if (ray.dir.y >= 0) return 0.0;

@@ -1,5 +1,5 @@
-// Trackers and roulette are right in the mean: a z-test against the exact picture. Many samples of one ray are the pixels of a film
-// whose camera is too narrow to tell them apart.
+// Trackers and roulette are right in the mean: a z-test against the exact picture. Many samples of one ray are the
+// pixels of a film whose camera is too narrow to tell them apart.
 #include <array>
 #include <cmath>
 
@@ -22,7 +22,7 @@ double z_allowed(int n) {
   return hi;
 }
 
-FlatScene foggy(const std::string& media, const std::string& render, int ray, int side) {
+PlannedScene foggy(const std::string& media, const std::string& render, int ray, int side) {
   const double a = 0.4 + 0.9 * ray;
   char camera[300];
   std::snprintf(camera, sizeof camera,
@@ -59,7 +59,7 @@ std::array<double, VALUES> values_of(const FilmPixel& p) {
 void expect_unbiased(const std::string& media, const std::string& render) {
   const double z_max = z_allowed(RAYS * VALUES);
   for (int ray = 0; ray < RAYS; ++ray) {
-    const FlatScene one = foggy(media, R"("method": "auto")", ray, 1);
+    const PlannedScene one = foggy(media, R"("method": "auto")", ray, 1);
     const reference::Context context(one, {8, 1});
     const reference::PixelD exact =
         reference::ray_render(context, reference::camera_ray(one.frame.camera, 0, 0, {0.5, 0.5}));
@@ -111,8 +111,8 @@ TEST(Unbiased, Roulette) {
 
 // The test can fail: a march that is too coarse is found out.
 TEST(Unbiased, SeesABias) {
-  const FlatScene scene = foggy(COLORED, R"("method": "march_regular_jitter", "step": 0.5)", 0, SIDE);
-  const FlatScene one = foggy(COLORED, R"("method": "auto")", 0, 1);
+  const PlannedScene scene = foggy(COLORED, R"("method": "march_regular_jitter", "step": 0.5)", 0, SIDE);
+  const PlannedScene one = foggy(COLORED, R"("method": "auto")", 0, 1);
   const reference::Context context(one, {8, 1});
   const double exact =
       reference::ray_render(context, reference::camera_ray(one.frame.camera, 0, 0, {0.5, 0.5})).transmittance.x;

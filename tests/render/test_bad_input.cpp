@@ -36,6 +36,9 @@ TEST_F(BadInput, Scenes) {
            "media": [{"density": {"type": "linear"}, "sigma_s": 1}], "render": {"method": "march_midpoint", "step": 1e-5}})",
        "173206 steps a ray and 8e+15 density lookups"},
       {R"({"render": {"method": "dda_nearest"}, "media": [{"density": {"type": "linear"}}]})", "these do: auto"},
+      {R"({"render": {"shadow": "grid"}, "media": [{"density": {"type": "linear"}, "sigma_a": 1}]})", "sigma_s is 0"},
+      {R"({"media": [{"density": {"type": "linear"}, "method": "homogeneous"}]})",
+       "/media/0/method: 'homogeneous' does not"},
       {R"({"media": [{"density": {"type": "file", "path": "none.vdb"}}]})", "none.vdb"},
       {R"({"shapes": [{"type": "mesh", "file": "none.obj"}]})", "none.obj"},
       {R"({"materials": {"m": {"texture": "none.png"}},
@@ -109,7 +112,8 @@ TEST_F(BadInput, DevicesAndFolders) {
   expect_refused("render a.json -o a.png --device gpu-of-tomorrow", 2, "gpu-of-tomorrow");
   expect_refused("render a.json -o a.png", 1, "OpenCL", "OCL_ICD_VENDORS=/nonexistent");
   expect_refused("render a.json -o none/a.png", 1, "none");
-  expect_refused("render a.json -o a.exr --size 65536x65536", 1, "allows");
+  expect_refused("render a.json -o a.exr --size 65536x65536", 1,
+                 "a film of 65536 x 65536 pixels: needs more memory than there is");
 }
 
 TEST_F(BadInput, FolderWithoutPermission) {

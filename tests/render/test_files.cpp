@@ -20,7 +20,8 @@ class Files : public Program {
     Program::SetUp();
     write("a.json", SCENE);
   }
-  // Runs with its streams as `streams` says ("</dev/null >&-") and returns the exit code; what it says is in the file err.
+  // Runs with its streams as `streams` says ("</dev/null >&-") and returns the exit code; what it says is in the file
+  // err.
   int run_streams(const std::string& arguments, const std::string& streams) const {
     const std::string command =
         "cd " + folder_.string() + " && { timeout 60 " BRUME_BINARY " " + arguments + " 2>err; } " + streams;

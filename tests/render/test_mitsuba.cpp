@@ -1,5 +1,5 @@
-// A third voice beside kernels and reference: pictures of the same scenes by Mitsuba 3. Its pixels carry noise, means over
-// blocks an eighth of it.
+// A third voice beside kernels and reference: pictures of the same scenes by Mitsuba 3. Its pixels carry noise, means
+// over blocks an eighth of it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +8,7 @@
 
 #include "check/check_images.hpp"
 #include "film/film_compare.hpp"
+#include "film/film_write.hpp"
 #include "flat/flatten.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene_reader.hpp"
@@ -34,17 +35,6 @@ std::filesystem::path folder_of(const Voice& voice) {
                          : std::filesystem::path(BRUME_SOURCE_DIR "/tests/data/mitsuba");
 }
 
-Image film_image(const Film& film) {
-  Image image;
-  image.width = film.size().x;
-  image.height = film.size().y;
-  image.channels = 3;
-  image.channel_names = {"R", "G", "B"};
-  for (const FilmPixel& p : film.pixels())
-    for (const float sum : {p.radiance.x, p.radiance.y, p.radiance.z}) image.values.push_back(sum / p.samples);
-  return image;
-}
-
 class Mitsuba : public testing::TestWithParam<Voice> {};
 
 TEST_P(Mitsuba, AgreesInTheMeansOfBlocks) {
@@ -54,7 +44,7 @@ TEST_P(Mitsuba, AgreesInTheMeansOfBlocks) {
   const SceneDesc desc = scene_read(scene, {});
   const DeviceInfo device = device_choose("portable computing language");
   const int lanes = lanes_choose(device, 0);
-  const FlatScene flat = flatten(desc, {bvh_width_for(lanes), {}});
+  const PlannedScene flat = flatten(desc, {bvh_width_for(lanes), {}});
   Context context(device);
   const Image ours = film_image(render_film(context, flat, lanes));
 

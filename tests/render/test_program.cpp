@@ -61,13 +61,13 @@ TEST_F(Render, IsTheSameFromRunToRunForAnyThreadsAndTiles) {
   expect_identical("a.exr", "b.exr");
   const Image whole = image("a.exr"), crop = image("c.exr");
   ASSERT_EQ(crop.width, whole.width);
+  const auto value = [](const Image& image, int x, int y, const char* channel) {  // a part has more channels
+    return image.values[std::size_t((y * image.width + x) * image.channels + image_channel(image, channel))];
+  };
   for (int y = 3; y < 17; ++y)
     for (int x = 5; x < 19; ++x)
-      for (int c = 0; c < 3; ++c) {
-        const std::size_t i =
-            (std::size_t(y) * std::size_t(whole.width) + std::size_t(x)) * std::size_t(whole.channels) + std::size_t(c);
-        ASSERT_EQ(whole.values[i], crop.values[i]) << x << "," << y;
-      }
+      for (const char* channel : {"R", "G", "B"})
+        ASSERT_EQ(value(whole, x, y, channel), value(crop, x, y, channel)) << x << "," << y;
 }
 
 TEST_F(Render, LanesAndGenericKernelsAgree) {
@@ -88,6 +88,26 @@ TEST_F(Render, OptionsReachTheScene) {
   ASSERT_EQ(run("render a.json -o b.exr --quiet --size 10x6 --spp 1 --shadow grid --method march_midpoint --step 0.02")
                 .exit_code,
             0);
+}
+
+TEST_F(Render, NamesTheMethodOfEachMedium) {
+  write("a.json", R"({"film": {"size": [8, 8]}, "render": {"method": "march_midpoint", "step": 0.25}, "media": [
+    {"density": {"type": "linear", "resolution": [8, 8, 8]}, "sigma_a": 1},
+    {"density": {"type": "constant"}, "method": "homogeneous", "step": 0.5, "sigma_a": 1},
+    {"density": {"type": "linear", "resolution": [8, 8, 8]}, "method": "dda_midpoint", "sigma_a": 1}]})");
+  const Outcome r = run("render a.json -o a.exr --stats s.json --strict");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const std::string names = "march_midpoint (/media/0), homogeneous (/media/1), dda_midpoint (/media/2)";
+  EXPECT_NE(r.err.find("method " + names), std::string::npos) << r.err;
+  EXPECT_NE(text(folder_ / "a.exr").find(names), std::string::npos);
+  const json stats = json::parse(text(folder_ / "s.json"));
+  EXPECT_EQ(stats["method"], names);
+  ASSERT_EQ(stats["media"].size(), 3u);
+  EXPECT_EQ(stats["media"][1]["method"], "homogeneous");
+  EXPECT_EQ(stats["media"][0]["step"], 0.5);  // of a medium 2 long
+  EXPECT_EQ(stats["media"][1]["step"], 1.0);
+  EXPECT_FALSE(stats["media"][2].contains("step"));
+  expect_refused("render a.json -o b.exr --method dda_nearest", 2, "of /media/0; these do: auto, dda_gauss2");
 }
 
 TEST_F(Render, BareVolumeSavesTheSceneThatItUsed) {

@@ -9,7 +9,8 @@
 namespace brume::test {
 namespace {
 
-// A slab of tau = 2 in front of the background on the left, nothing at all on the right, and between them a sphere that mirrors.
+// A slab of tau = 2 in front of the background on the left, nothing at all on the right, and between them a sphere that
+// mirrors.
 constexpr const char* SCENE = R"({"film": {"size": [8, 4]}, "background": [0.5, 0.25, 0.125],
   "camera": {"type": "orthographic", "eye": [0, 0, 5], "target": [0, 0, 0], "height": 4},
   "materials": {"mirror": {"diffuse": 0, "specular": 0, "reflection": 1}},
@@ -69,7 +70,8 @@ TEST_F(Windows, TrimmedItIsTheWholePicture) {
   expect_refused("render a.json -o b.png --trim", 2, "--trim: expected together with --crop");
 }
 
-// Alpha 1 - exp(-2) in the slab, 1 on the sphere, 0 beside them; the sphere goes on mirroring the background that the camera does not see.
+// Alpha 1 - exp(-2) in the slab, 1 on the sphere, 0 beside them; the sphere goes on mirroring the background that the
+// camera does not see.
 TEST_F(Windows, AlphaIsWhatHidesTheBackground) {
   for (const std::string lanes : {"", "--spp 4", "--generic --lanes 4"}) {
     const Image image = render("--alpha " + lanes, "a.exr");

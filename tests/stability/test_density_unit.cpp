@@ -53,7 +53,7 @@ TEST_F(DensityUnitOfFiles, OnlyDensityTimesCoefficientMatters) {
 
 // A light on a surface is brighter there than float holds: those samples are counted, the others stay.
 TEST(NotFinite, IsCountedAndLeftOut) {
-  const FlatScene scene = scene_of(R"({"camera": {"eye": [0, 0, 3]}, "film": {"spp": 4}, "background": 0.25,
+  const PlannedScene scene = scene_of(R"({"camera": {"eye": [0, 0, 3]}, "film": {"spp": 4}, "background": 0.25,
     "lights": [{"type": "point", "position": [0, 0, 0.01], "intensity": 3e33}],
     "shapes": [{"type": "quad", "corner": [-0.5, -0.5, 0]}]})");
   const Film film = film_of(scene), reference = reference_of(scene);

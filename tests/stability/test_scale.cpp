@@ -84,7 +84,7 @@ TEST_F(Scale, ThePictureIsTheSameFromTenToTheMinus25To25) {
     expect_shows(base, world.name);
     for (const double unit : {1e-25, 1e-14, 3e-7, 1e4, 1e13, 1e25}) {
       const std::string what = std::string(world.name) + " times " + number_text(unit);
-      const FlatScene scene = scene_of(in_units(world.text, unit), folder_);
+      const PlannedScene scene = scene_of(in_units(world.text, unit), folder_);
       const Film film = film_of(scene);
       expect_same(film, base, 1e-4, what);
       expect_depths(film, base, unit, what);
@@ -141,7 +141,7 @@ TEST(CameraDistance, IsNoParameterOfParallelRays) {
     const Film near = film_of(scene_of(view_from(4, false, more)));
     expect_shows(near, more);
     for (const double distance : {5e2, 5e4, 5e7, 1e12, 1e20, 1e30}) {
-      const FlatScene scene = scene_of(view_from(distance, false, more));
+      const PlannedScene scene = scene_of(view_from(distance, false, more));
       const Film film = film_of(scene);
       expect_same(film, near, 2e-5, number_text(distance) + more);
       expect_same(film, reference_of(scene), 1e-4, number_text(distance) + more + ", reference");
@@ -153,7 +153,7 @@ TEST(CameraDistance, NarrowLensesSeeWhatParallelRaysSee) {
   for (const char* more : {"", FLOOR}) {
     const Film parallel = film_of(scene_of(view_from(4, false, more)));
     for (const double distance : {5e5, 5e7, 1e10}) {
-      const FlatScene scene = scene_of(view_from(distance, true, more));
+      const PlannedScene scene = scene_of(view_from(distance, true, more));
       const Film film = film_of(scene);
       expect_same(film, parallel, 5e-5, number_text(distance) + more);
       expect_same(film, reference_of(scene), 1e-4, number_text(distance) + more + ", reference");
@@ -167,7 +167,7 @@ TEST(CameraDistance, PlanesBeforeTheSceneAreSeen) {
   for (const double distance : {8.0, 1e3, 1e9}) {
     const std::string wall =
         R"(, {"type": "plane", "point": [0, 0, )" + number_text(0.5 * distance) + R"(], "normal": [0, 0, 1]})";
-    const FlatScene scene = scene_of(view_from(distance, true, wall));
+    const PlannedScene scene = scene_of(view_from(distance, true, wall));
     const Film film = film_of(scene);
     expect_same(film, reference_of(scene), 1e-4, wall);
     for (const FilmPixel& p : film.pixels()) ASSERT_NEAR(p.depth / (0.375 * distance), 1, 0.2) << wall;
@@ -194,7 +194,7 @@ TEST(LightDistance, FarPointLightsAreDirectional) {
 // A disc of radius 0.6 in the middle of the picture, from however far.
 TEST(LightDistance, NarrowSpotsLightADisc) {
   for (const double distance : {10.0, 1e3, 2e4}) {
-    const FlatScene scene = scene_of(
+    const PlannedScene scene = scene_of(
         R"({"camera": {"type": "orthographic"}, "shapes": [{"type": "quad", "corner": [-1, -1, 0], "u": [2, 0, 0], "v": [0, 2, 0]}],
         "lights": [{"type": "spot", "falloff": "none", "softness": 0, "position": [0, 0, )" +
         number_text(distance) + R"(], "direction": [0, 0, -1], "angle": )" +

@@ -1,8 +1,8 @@
 // Every method on every case of `brume check --stability`, one test a case; and that the judgement can fail.
 #include <gtest/gtest.h>
 
-#include "check/stability.hpp"
-#include "check/stability_parts.hpp"
+#include "stability/stability.hpp"
+#include "stability/stability_parts.hpp"
 
 namespace brume {
 namespace {
@@ -42,7 +42,7 @@ TEST(StabilityJudgement, SeesWhatIsWrong) {
   EXPECT_TRUE(run.row().holds) << run.row().remark;
 
   StabilityRun no_number(pocl(), METHOD_DDA_GAUSS2, 8);
-  FlatScene scene = no_number.cube();
+  PlannedScene scene = no_number.cube();
   scene.voxels[0] = NAN;
   for (float& value : scene.voxels) value = NAN;
   no_number.shoot(scene, rays);

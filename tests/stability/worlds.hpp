@@ -26,15 +26,15 @@ inline std::string number_text(double v) {
   return text;
 }
 
-inline FlatScene scene_of(const std::string& text, const std::filesystem::path& folder = "", int size = 24) {
+inline PlannedScene scene_of(const std::string& text, const std::filesystem::path& folder = "", int size = 24) {
   SceneDesc desc = scene_read_text(text, folder / "world.json", {});
   desc.film.size = {size, size};
   return flatten(desc, {bvh_width_for(LANES), {}});
 }
 
-inline Film film_of(const FlatScene& scene) { return render_film(pocl(), scene, LANES); }
+inline Film film_of(const PlannedScene& scene) { return render_film(pocl(), scene, LANES); }
 
-inline Film reference_of(const FlatScene& scene) {
+inline Film reference_of(const PlannedScene& scene) {
   Film film({scene.frame.camera.width, scene.frame.camera.height});
   reference::render(scene, film);
   return film;

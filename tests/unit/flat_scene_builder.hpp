@@ -4,7 +4,7 @@
 #include <functional>
 #include <glm/vec3.hpp>
 
-#include "flat/flat_scene.hpp"
+#include "flat/render_plan.hpp"
 #include "shared/method.h"
 #include "shared/phase.h"
 
@@ -23,8 +23,8 @@ inline Affine affine_scale(double s, const glm::dvec3& offset = glm::dvec3(0)) {
 }
 
 // An orthographic camera on the +z side that looks down -z at the square [-1,1]² through size x size pixels.
-inline FlatScene scene_empty(int size = 1) {
-  FlatScene scene;
+inline PlannedScene scene_empty(int size = 1) {
+  PlannedScene scene;
   Camera& camera = scene.frame.camera;
   camera = {packed(0, 0, 8), CAMERA_ORTHOGRAPHIC, packed(0, 0, -1), size, packed(1, 0, 0), size, packed(0, 1, 0), 1, 0};
   scene.frame.crop_x1 = scene.frame.crop_y1 = size;
@@ -32,7 +32,7 @@ inline FlatScene scene_empty(int size = 1) {
   return scene;
 }
 
-inline Material& material_add(FlatScene& scene, double diffuse = 1) {
+inline Material& material_add(PlannedScene& scene, double diffuse = 1) {
   Material material{};
   material.diffuse = grey(diffuse);
   material.texture = material.emission_texture = -1;
@@ -41,7 +41,7 @@ inline Material& material_add(FlatScene& scene, double diffuse = 1) {
 }
 
 // Shapes take material 0, which is made when there is none.
-inline void shape_add(FlatScene& scene, int type, std::initializer_list<double> data) {
+inline void shape_add(PlannedScene& scene, int type, std::initializer_list<double> data) {
   if (scene.materials.empty()) material_add(scene);
   Shape shape{};
   shape.type = type;
@@ -50,7 +50,7 @@ inline void shape_add(FlatScene& scene, int type, std::initializer_list<double> 
   scene.shapes.push_back(shape);
 }
 
-inline Triangle& triangle_add(FlatScene& scene, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+inline Triangle& triangle_add(PlannedScene& scene, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   if (scene.materials.empty()) material_add(scene);
   Triangle triangle{};
   triangle.p[0] = packed(a);
@@ -61,7 +61,7 @@ inline Triangle& triangle_add(FlatScene& scene, const glm::dvec3& a, const glm::
   return scene.triangles.back();
 }
 
-inline void light_add_directional(FlatScene& scene, const glm::dvec3& direction, double irradiance) {
+inline void light_add_directional(PlannedScene& scene, const glm::dvec3& direction, double irradiance) {
   Light light{};
   light.type = LIGHT_DIRECTIONAL;
   light.direction = packed(direction);
@@ -69,7 +69,7 @@ inline void light_add_directional(FlatScene& scene, const glm::dvec3& direction,
   scene.lights.push_back(light);
 }
 
-inline Light& light_add_point(FlatScene& scene, const glm::dvec3& position, double intensity) {
+inline Light& light_add_point(PlannedScene& scene, const glm::dvec3& position, double intensity) {
   Light light{};
   light.type = LIGHT_POINT;
   light.falloff = FALLOFF_INVERSE_SQUARE;
@@ -79,39 +79,55 @@ inline Light& light_add_point(FlatScene& scene, const glm::dvec3& position, doub
   return scene.lights.back();
 }
 
+// The rows of a medium in a flat scene, until another is added.
+struct MediumRows {
+  PlacedGrid& placed;
+  MediumBody& body;
+  MediumWalk& walk;
+};
+
 // A medium of constant density over [lo, hi] in cell space, which is world space.
-inline Medium& medium_add_constant(FlatScene& scene, const glm::dvec3& lo, const glm::dvec3& hi, double sigma_a,
-                                   double sigma_s, double density = 1) {
-  Medium medium{};
-  medium.cell_from_world = affine_scale(1);
-  medium.lo = packed(lo);
-  medium.hi = packed(hi);
-  medium.sigma_a = grey(sigma_a);
-  medium.sigma_s = grey(sigma_s);
-  medium.phase = PHASE_ISOTROPIC;
-  medium.region = REGION_BOX;
-  medium.constant_density = static_cast<float>(density);
-  medium.is_constant = 1;
-  medium.step = 0.25f;
-  medium.method = METHOD_HOMOGENEOUS;
-  scene.media.push_back(medium);
-  return scene.media.back();
+inline MediumRows medium_add_constant(PlannedScene& scene, const glm::dvec3& lo, const glm::dvec3& hi, double sigma_a,
+                                      double sigma_s, double density = 1) {
+  PlacedGrid placed{};
+  placed.cell_from_world = affine_scale(1);
+  placed.lo = packed(lo);
+  placed.hi = packed(hi);
+  placed.region = REGION_BOX;
+  placed.constant_density = static_cast<float>(density);
+  placed.grid = -1;
+  MediumBody body{};
+  body.density = static_cast<int>(scene.placed.size());
+  body.glow = -1;
+  body.sigma_a = grey(sigma_a);
+  body.sigma_s = grey(sigma_s);
+  body.phase = PHASE_ISOTROPIC;
+  scene.placed.push_back(placed);
+  scene.media.push_back(body);
+  scene.walks.push_back({METHOD_HOMOGENEOUS, 0.25f, 0, -1});
+  return {scene.placed.back(), scene.media.back(), scene.walks.back()};
 }
 
 // A grid of cells over [0, cells], cell space being world space. density(sample) is asked for every sample of every
 // brick; a brick of zeros is left out, as in a flat scene.
-inline Medium& medium_add_grid(FlatScene& scene, const glm::ivec3& cells, int interpolation,
-                               const std::function<double(glm::ivec3)>& density, double sigma_a, double sigma_s) {
-  Medium& medium = medium_add_constant(scene, glm::dvec3(0), glm::dvec3(cells), sigma_a, sigma_s);
-  medium.is_constant = 0;
-  medium.interpolation = interpolation;
-  medium.method = interpolation == INTERPOLATION_NEAREST ? METHOD_DDA_NEAREST : METHOD_DDA_GAUSS2;
-  medium.cells_x = cells.x, medium.cells_y = cells.y, medium.cells_z = cells.z;
-  medium.brick_offset = static_cast<int>(scene.bricks.size());
+inline MediumRows medium_add_grid(PlannedScene& scene, const glm::ivec3& cells, int interpolation,
+                                  const std::function<double(glm::ivec3)>& density, double sigma_a, double sigma_s) {
+  const MediumRows medium = medium_add_constant(scene, glm::dvec3(0), glm::dvec3(cells), sigma_a, sigma_s);
+  medium.placed.interpolation = interpolation;
+  medium.placed.grid = static_cast<int>(scene.grids.size());
+  medium.walk.method = interpolation == INTERPOLATION_NEAREST ? METHOD_DDA_NEAREST : METHOD_DDA_GAUSS2;
   const glm::ivec3 n = (cells + BRICK_CELLS - 1) / BRICK_CELLS;
-  medium.brick_nx = n.x, medium.brick_ny = n.y, medium.brick_nz = n.z;
+  scene.grids.push_back({static_cast<int>(scene.bricks.size()), cells.x, cells.y, cells.z, n.x, n.y, n.z});
+  const glm::ivec3 blocks = (n + 7) / 8;
+  const auto index = scene.bricks.size();
+  scene.bricks.resize(index + static_cast<std::size_t>(blocks.x * blocks.y * blocks.z), 0);
+  for (std::size_t block = index, end = scene.bricks.size(); block < end; ++block) {
+    scene.bricks[block] = static_cast<int>(scene.bricks.size());
+    scene.bricks.resize(scene.bricks.size() + 512, BRICK_EMPTY);
+  }
   for (int b = 0; b < n.x * n.y * n.z; ++b) {
-    const glm::ivec3 first = glm::ivec3(b % n.x, b / n.x % n.y, b / (n.x * n.y)) * BRICK_CELLS;
+    const glm::ivec3 brick(b % n.x, b / n.x % n.y, b / (n.x * n.y)), first = brick * BRICK_CELLS;
+    const glm::ivec3 block = brick / 8, in = brick % 8;
     std::vector<float> samples;
     bool empty = true;
     for (int i = 0; i < BRICK_VALUES; ++i) {
@@ -119,8 +135,14 @@ inline Medium& medium_add_grid(FlatScene& scene, const glm::ivec3& cells, int in
       samples.push_back(static_cast<float>(density(first + s)));
       empty = empty && samples.back() == 0;
     }
-    scene.bricks.push_back(empty ? BRICK_EMPTY : static_cast<int>(scene.voxels.size() / BRICK_VALUES));
-    if (!empty) scene.voxels.insert(scene.voxels.end(), samples.begin(), samples.end());
+    if (empty) continue;
+    const int begin =
+        scene.bricks[index + static_cast<std::size_t>((block.z * blocks.y + block.y) * blocks.x + block.x)];
+    scene.bricks[static_cast<std::size_t>(begin + (in.z * 8 + in.y) * 8 + in.x)] =
+        static_cast<int>(scene.voxels.size() / BRICK_VALUES);
+    scene.voxels.insert(scene.voxels.end(), samples.begin(), samples.end());
+    const auto [min, max] = std::minmax_element(samples.begin(), samples.end());
+    scene.brick_ranges.insert(scene.brick_ranges.end(), {*min, *max});
   }
   return medium;
 }

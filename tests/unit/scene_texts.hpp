@@ -35,7 +35,8 @@ inline const char* const SCENE_FULL = R"({
   "media": [
     {"bounds": [[-1, -2, -3], [1, 2, 3]], "transform": [{"scale": [2, 2, 2]}], "interpolation": "nearest",
      "density": {"type": "sphere", "of": {"type": "perlin", "resolution": [8, 16, 32], "scale": 2.5, "octaves": 3, "seed": 5}},
-     "sigma_a": [1, 2, 3], "sigma_s": [4, 5, 6], "emission": [0, 0, 0], "phase": {"type": "henyey_greenstein", "g": -0.5}},
+     "sigma_a": [1, 2, 3], "sigma_s": [4, 5, 6], "emission": [0, 0, 0], "phase": {"type": "henyey_greenstein", "g": -0.5},
+     "method": "march_regular", "step": 0.25},
     {"interpolation": "trilinear", "density": {"type": "file", "path": "/data/smoke.vdb", "grid": "density", "level_set": "fill",
        "threshold": 0.25, "remap": [[-1, 0], [0.5, 2], [3, 0]], "scale": 2.5, "negative": "refuse"},
      "sigma_a": [0.1, 0.1, 0.1], "sigma_s": [0, 0, 0], "emission": [0, 0, 0], "phase": {"type": "isotropic"}},

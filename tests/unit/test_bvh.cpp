@@ -1,5 +1,5 @@
-// The BVH against the layout that shared/bvh.h states: every triangle once, boxes around all that lies below them, absent lanes
-// marked, no traversal deeper than the stack. Read lane by lane here, as a kernel would.
+// The BVH against the layout that shared/bvh.h states: every triangle once, boxes around all that lies below them,
+// absent lanes marked, no traversal deeper than the stack. Read lane by lane here, as a kernel would.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -119,8 +119,8 @@ class Walk {
     return {{value(0), value(1), value(2)}, {value(3), value(4), value(5)}};
   }
 
-  // Returns the triangles below. `waiting`: entries on the stack while this node is opened. A ray may hit every child; the
-  // traversal pushes all of them, then pops one and opens it with the others still there.
+  // Returns the triangles below. `waiting`: entries on the stack while this node is opened. A ray may hit every child;
+  // the traversal pushes all of them, then pops one and opens it with the others still there.
   std::vector<int> inner(int node, int waiting) {
     std::vector<int> below;
     EXPECT_LT(static_cast<std::size_t>(node), nodes_.size());
@@ -253,7 +253,8 @@ TEST(BinaryBvh, PartsWhatIsFarApart) {
   EXPECT_GT(std::abs(left.lo[1] - right.lo[1]), 900);
 }
 
-// A comb: every inner node has one leaf and one inner node, `depth` of them. What bvh_build never makes, bvh_collapse must refuse.
+// A comb: every inner node has one leaf and one inner node, `depth` of them. What bvh_build never makes, bvh_collapse
+// must refuse.
 BinaryBvh comb(int depth) {
   BinaryBvh tree;
   tree.nodes.resize(std::size_t(2) * depth + 1);

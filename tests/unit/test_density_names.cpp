@@ -1,5 +1,5 @@
-// The densities that a scene file may name (host/scene) and those that there are (host/volume) stand in two tables, which must
-// hold the same names: the one says which keys a type reads, the other makes the field.
+// The densities that a scene file may name (host/scene) and those that there are (host/volume) stand in two tables,
+// which must hold the same names: the one says which keys a type reads, the other makes the field.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

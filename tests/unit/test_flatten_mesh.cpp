@@ -11,13 +11,13 @@ using testing::HasSubstr;
 
 class FlattenMesh : public Obj {
  protected:
-  FlatScene flat(const std::string& shape_keys = "", int copies = 1) const {
+  PlannedScene flat(const std::string& shape_keys = "", int copies = 1) const {
     const std::string shape = R"({"type": "mesh", "file": ")" + (folder_ / "a.obj").string() + "\"" + shape_keys + "}";
     std::string shapes = shape;
     for (int i = 1; i < copies; ++i) shapes += ", " + shape;
     return flatten(scene_read_text(R"({"shapes": [)" + shapes + "]}", "a.json", {}), {});
   }
-  static double side(const FlatScene& scene, int k) {
+  static double side(const PlannedScene& scene, int k) {
     const Triangle& t = scene.triangles.at(0);
     const glm::dvec3 a(t.p[0].x, t.p[0].y, t.p[0].z), b(t.p[k].x, t.p[k].y, t.p[k].z);
     return glm::distance(a, b) * scene.unit;
@@ -30,7 +30,7 @@ TEST_F(FlattenMesh, MapGridCoordinatesKeepTheirDetail) {
       "v 0 0 0\nv 5412345.17 3456789.13 120.01\nv 5412345.20 3456789.13 120.01\nv 5412345.17 3456789.17 120.01\nf 2 3 "
       "4\n");
   for (const char* keys : {"", R"(, "transform": [{"translate": [-5412345, -3456789, -120]}])"}) {
-    const FlatScene scene = flat(keys);
+    const PlannedScene scene = flat(keys);
     ASSERT_EQ(scene.triangles.size(), 1u) << keys;
     EXPECT_NEAR(side(scene, 1), 0.03, 1e-6) << keys;
     EXPECT_NEAR(side(scene, 2), 0.04, 1e-6) << keys;
@@ -41,7 +41,7 @@ TEST_F(FlattenMesh, NotesOfAMeshThatIsShownTwiceAreToldOnce) {
   write("no image", "a.png");
   write("newmtl m\nmap_Kd a.png\nnewmtl n\nmap_Kd a.png\nbump b.png\n", "a.mtl");
   write("mtllib a.mtl\n" + std::string(TRIANGLE) + "f 1 2 3\n");
-  const FlatScene scene = flat("", 2);
+  const PlannedScene scene = flat("", 2);
   EXPECT_THAT(scene.notes,
               testing::UnorderedElementsAre(HasSubstr("line 5: 'bump' is not read"), HasSubstr("a.png: ")));
 }

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <functional>
+#include <set>
 
 #include "base/error.hpp"
 #include "volume/density_source.hpp"
@@ -177,6 +179,45 @@ TEST(Generators, RefuseWhatTheyCannotMake) {
     spec.octaves = octaves;
     EXPECT_THAT(refusal(spec), HasSubstr("density 'perlin': octaves")) << octaves;
   }
+}
+
+// Grids are kept by their key: whatever changes one has to change the other.
+TEST(Generators, KeysTellDensitiesApart) {
+  const DensitySpec given = spec_of("file", {4, 5, 6});
+  const std::function<void(DensitySpec&)> changes[] = {
+      [](DensitySpec&) {},
+      [](DensitySpec& s) { s.type = "perlin"; },
+      [](DensitySpec& s) { s.resolution.z = 7; },
+      [](DensitySpec& s) { s.value = 1 + 1e-15; },
+      [](DensitySpec& s) { s.scale = 5; },
+      [](DensitySpec& s) { s.octaves = 5; },
+      [](DensitySpec& s) { s.seed = 2; },
+      [](DensitySpec& s) { s.file = "b.vdb"; },
+      [](DensitySpec& s) { s.grid = "heat"; },
+      [](DensitySpec& s) { s.values.fill = true; },
+      [](DensitySpec& s) { s.values.threshold = 0; },
+      [](DensitySpec& s) {
+        s.values.remap = {{0, 1}};
+      },
+      [](DensitySpec& s) { s.values.scale = 2; },
+      [](DensitySpec& s) { s.values.clamp_negative = false; },
+      [](DensitySpec& s) {
+        s.of = std::make_shared<DensitySpec>(spec_of("linear", {4, 4, 4}));
+      },
+      [](DensitySpec& s) {
+        s.of = std::make_shared<DensitySpec>(spec_of("perlin", {4, 4, 4}));
+      }};
+  std::set<std::string> keys;
+  for (const auto& change : changes) {
+    DensitySpec spec = given;
+    change(spec);
+    EXPECT_TRUE(keys.insert(density_key(spec)).second) << density_key(spec);
+  }
+  DensitySpec same = given;
+  same.file = std::filesystem::current_path() / "a.vdb";
+  DensitySpec other = given;
+  other.file = "x/../a.vdb";
+  EXPECT_EQ(density_key(same), density_key(other));
 }
 
 }  // namespace

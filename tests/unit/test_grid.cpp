@@ -47,7 +47,7 @@ TEST(Grid, StoresOnlyBlocksThatHoldSomething) {
   EXPECT_EQ(grid.stored_bytes(), empty);
   EXPECT_TRUE(grid.block_empty({0, 0, 0}));
   grid.set({8, 16, 63}, 2.0f);
-  EXPECT_EQ(grid.stored_bytes(), empty + 512 * sizeof(float));
+  EXPECT_EQ(grid.stored_bytes(), empty + 512 * sizeof(float) + 512 * sizeof(int));  // and the index of its group
   EXPECT_FALSE(grid.block_empty({1, 2, 7}));
   EXPECT_EQ(grid.at({8, 16, 63}), 2.0f);
   EXPECT_EQ(grid.at({9, 16, 63}), 0.0f);
@@ -98,13 +98,74 @@ TEST(Grid, AddressesBeyond32Bits) {
   EXPECT_DOUBLE_EQ(stats.mean, 4.0 / double(1ull << 33));
 }
 
+// Blocks and groups of one value are held once, also where several calls make them such.
+TEST(Grid, HoldsOneValueOnce) {
+  Grid grid(ivec3(1000));
+  grid.fill(ivec3(0), ivec3(999), 0.5f);
+  EXPECT_LT(grid.stored_bytes(), 2u << 20);
+  EXPECT_EQ(grid.one_value(ivec3(0), ivec3(999)), 0.5f);
+  EXPECT_EQ(grid_stats(grid).nonzero, 1000000000u);
+  grid.set({500, 500, 500}, 0.25f);
+  EXPECT_EQ(grid.at({500, 500, 500}), 0.25f);
+  EXPECT_EQ(grid.at({501, 500, 500}), 0.5f);
+  EXPECT_EQ(grid.one_value(ivec3(0), ivec3(999)), std::nullopt);
+  EXPECT_EQ(grid.one_value(ivec3(504), ivec3(999)), 0.5f);
+  EXPECT_FALSE(grid.block_uniform(ivec3(62)));
+
+  Grid pieces(ivec3(64));
+  const std::size_t least = pieces.stored_bytes();
+  for (int z = 0; z < 64; z += 5)
+    for (int y = 0; y < 64; y += 7) pieces.fill({0, y, z}, glm::min(ivec3(63, y + 6, z + 4), ivec3(63)), 2.0f);
+  std::array<float, 512> cube;
+  cube.fill(2.0f);
+  pieces.set_cube(ivec3(3), cube.data());
+  EXPECT_EQ(pieces.one_value(ivec3(0), ivec3(63)), 2.0f);
+  EXPECT_EQ(pieces.stored_bytes(), least + 512 * sizeof(float) + 512 * sizeof(int));
+  pieces.fill(ivec3(0), ivec3(63), 0.0f);
+  EXPECT_EQ(pieces.one_value(ivec3(0), ivec3(63)), 0.0f);
+}
+
+// A cube of values anywhere, also beyond the grid's sides: zeros leave alone what is there.
+TEST(Grid, SetsCubes) {
+  for (const ivec3 lo : {ivec3(0), ivec3(-7, -3, -1), ivec3(5, 8, 11), ivec3(14, 9, 3)}) {
+    const ivec3 size(17, 16, 18);
+    Grid grid(size), expected(size);
+    grid.set({6, 9, 12}, 5.0f);
+    expected.set({6, 9, 12}, 5.0f);
+    std::array<float, 512> cube{};
+    for (int n = 0; n < 512; ++n) {
+      const ivec3 i = lo + ivec3(n & 7, (n >> 3) & 7, n >> 6);
+      if (n % 3 == 0 || i != glm::clamp(i, ivec3(0), size - 1)) continue;
+      cube[static_cast<std::size_t>(n)] = static_cast<float>(n);
+      expected.set(i, static_cast<float>(n));
+    }
+    grid.set_cube(lo, cube.data());
+    for (ivec3 i(0); i.z < size.z; ++i.z)
+      for (i.y = 0; i.y < size.y; ++i.y)
+        for (i.x = 0; i.x < size.x; ++i.x) ASSERT_EQ(grid.at(i), expected.at(i)) << i.x << " " << i.y << " " << i.z;
+  }
+}
+
+// Stored blocks by z, y, x, across groups.
+TEST(Grid, VisitsBlocksInTheirOrder) {
+  Grid grid({200, 150, 140});
+  std::set<std::array<int, 3>> expected;  // z, y, x
+  for (const ivec3 i : {ivec3(199, 149, 139), ivec3(0, 149, 0), ivec3(130, 2, 3), ivec3(3, 2, 3), ivec3(70, 80, 9)}) {
+    grid.set(i, 1.0f);
+    expected.insert({i.z / 8, i.y / 8, i.x / 8});
+  }
+  std::vector<std::array<int, 3>> seen;
+  grid_visit_blocks(grid, [&](ivec3 b) { seen.push_back({b.z, b.y, b.x}); });
+  EXPECT_EQ(seen, std::vector(expected.begin(), expected.end()));
+}
+
 TEST(Grid, RefusesSizesThatCannotBe) {
   EXPECT_THAT(refusal({4, 0, 4}), AllOf(HasSubstr("4x0x4"), HasSubstr("at least 1")));
   EXPECT_THAT(refusal({4, 4, -7}), HasSubstr("4x4x-7"));
   EXPECT_THAT(refusal(ivec3(INT32_MAX)),
-              AllOf(HasSubstr("2147483647x2147483647x2147483647"), HasSubstr("bytes"), HasSubstr("8589934592")));
+              AllOf(HasSubstr("2147483647x2147483647x2147483647"), HasSubstr("bytes"), HasSubstr("134217728")));
   EXPECT_THAT(refusal({65536, 65536, 65536}),
-              HasSubstr("needs at least 2199023255552 bytes"));  // (2¹³)³ blocks of 4 bytes
+              HasSubstr("needs an index of 4294967296 bytes"));  // (2¹⁰)³ groups of 4 bytes
 }
 
 TEST(Grid, ExpectFitsCountsTheSamplesToo) {
@@ -114,7 +175,7 @@ TEST(Grid, ExpectFitsCountsTheSamplesToo) {
     FAIL() << "accepted 32 GiB";
   } catch (const InputError& e) {
     EXPECT_THAT(e.what(),
-                AllOf(HasSubstr("here: a grid of 2048x2048x2048"), HasSubstr("34426847232 bytes")));  // 2³⁵ + 2²⁴·4
+                AllOf(HasSubstr("here: a grid of 2048x2048x2048"), HasSubstr("34359869440 bytes")));  // 2³⁵ + 2¹⁵·4
   }
   EXPECT_THROW(grid_expect_fits("here", {std::int64_t{1} << 32, 1, 1}, 0), InputError);
 }

@@ -69,7 +69,8 @@ TEST_F(ImageTest, OtherIntegersAreNoTexture) {
   EXPECT_NEAR(image_read(file).values[0], 0.5, 1e-6);
 }
 
-// One value per pixel, x + 10 y in coordinates of the display window; data window [x0, x1) x [y0, y1) of a picture of 4 x 3.
+// One value per pixel, x + 10 y in coordinates of the display window; data window [x0, x1) x [y0, y1) of a picture of 4
+// x 3.
 fs::path write_window(const fs::path& file, int x0, int y0, int x1, int y1, int tile = 0, int origin = 0) {
   OIIO::ImageSpec spec(x1 - x0, y1 - y0, 1, OIIO::TypeDesc::FLOAT);
   spec.x = x0 + origin, spec.y = y0 + origin, spec.full_x = spec.full_y = origin;

@@ -78,6 +78,18 @@ TEST_F(ImageTest, FailedWritesKeepWhatWasThereAndSayWhatTheSystemSays) {
   EXPECT_THAT(files(), testing::UnorderedElementsAre("a.exr", "a.png", "a.JPEG"));
 }
 
+TEST_F(ImageTest, WhatBrumeSaysInAFileComesBack) {
+  const std::vector<float> values(4, 1.0f);
+  const std::string odd = "spaces, \"quotes\" and \xc3\xbc", huge(5000, 'x');
+  const ImageMetadata given{{"brume:spp", "16"}, {"other:key", "x"}, {"brume:scene", odd}, {"brume:huge", huge}};
+  image_write_exr(folder_ / "a.exr", 2, 2, {{"R", values.data()}}, given);
+  const Image read = image_read(folder_ / "a.exr");
+  EXPECT_EQ(read.channel_names, std::vector<std::string>{"R"});
+  EXPECT_THAT(read.metadata, testing::UnorderedElementsAre(given[0], given[2]));
+  EXPECT_EQ(*metadata_find(read.metadata, "brume:spp"), "16");
+  EXPECT_EQ(metadata_find(read.metadata, "brume:huge"), nullptr);
+}
+
 TEST_F(ImageTest, WritabilityIsKnownBeforeRendering) {
   const auto input = [](const fs::path& file) { return message_of<InputError>([&] { image_check_writable(file); }); };
   const auto runtime = [](const fs::path& file) {

@@ -1,4 +1,5 @@
-// json_parse and JsonValue: every class of refusal with its message, ranges, unread keys. Not the scene: test_scene_reader.
+// json_parse and JsonValue: every class of refusal with its message, ranges, unread keys. Not the scene:
+// test_scene_reader.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

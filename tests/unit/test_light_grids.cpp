@@ -13,7 +13,7 @@ namespace brume::reference {
 namespace {
 
 // A rotated box of unequal sides and voxels under one light.
-FlatScene fog_under(const std::string& light, int cells) {
+PlannedScene fog_under(const std::string& light, int cells) {
   const std::string text = R"({
     "camera": {"eye": [0, 0, 5], "target": [0, 0, 0]}, "lights": [)" +
                            light + R"(],
@@ -46,24 +46,24 @@ void each_point(const Medium& medium, double inset, const Visit& visit) {
 
 TEST(LightGrids, ColumnsRunAlongTheLight) {
   for (const std::string& light : suns()) {
-    const FlatScene scene = fog_under(light, 11);
+    const PlannedScene scene = fog_under(light, 11);
     ASSERT_EQ(scene.light_grids.size(), 1u);
     const LightGrid& grid = scene.light_grids[0];
     EXPECT_LE(std::fabs(grid.slope_u), 1) << light;
     EXPECT_LE(std::fabs(grid.slope_v), 1) << light;
-    const Affine& world = scene.media[0].world_from_cell;
+    const Affine& world = scene.placed[0].world_from_cell;
     const dvec3 along =
         affine_direction(world, affine_direction(grid.cell_from_grid, dvec3(0, 0, grid.from_first ? 1 : -1)));
-    const dvec3 travel = vec_promote(scene.lights[0].direction) * static_cast<double>(grid.reach);
-    EXPECT_LT(glm::length(along - travel), 1e-5 * grid.reach) << light;
+    const dvec3 travel = vec_promote(scene.lights[0].direction) * static_cast<double>(grid.column_step);
+    EXPECT_LT(glm::length(along - travel), 1e-5 * grid.column_step) << light;
   }
 }
 
 TEST(LightGrids, EveryPlaneHoldsThePointsAboutItsBox) {
   for (const std::string& light : suns()) {
-    const FlatScene scene = fog_under(light, 11);
+    const PlannedScene scene = fog_under(light, 11);
     const LightGrid& grid = scene.light_grids[0];
-    each_point(scene.media[0], 0, [&](const dvec3& p) {
+    each_point(scene.medium(0), 0, [&](const dvec3& p) {
       const dvec3 g = affine_point(grid.grid_from_cell, p);
       EXPECT_GE(g.z, -1e-5) << light;
       EXPECT_LE(g.z, grid.nk - 1 + 1e-5) << light;
@@ -82,9 +82,9 @@ TEST(LightGrids, EveryPlaneHoldsThePointsAboutItsBox) {
 }
 
 // Root mean square of the difference of transmittances to the light between grid and traced rays.
-double rms_of(const FlatScene& scene) {
+double rms_of(const PlannedScene& scene) {
   const Context context(scene, {});
-  const Medium& medium = scene.media[0];
+  const Medium medium = scene.medium(0);
   double sum = 0, count = 0;
   each_point(medium, 0.3, [&](const dvec3& p) {
     const dvec3 point = affine_point(medium.world_from_cell, p);
@@ -108,8 +108,8 @@ TEST(LightGrids, ConvergeToTracedRays) {
   }
 }
 
-// The depths of a constant field grow linearly from the side that the light enters: along an axis no error is left, whatever the
-// grid and up to the sides, along which it runs.
+// The depths of a constant field grow linearly from the side that the light enters: along an axis no error is left,
+// whatever the grid and up to the sides, along which it runs.
 TEST(LightGrids, AreExactInAConstantFieldAlongAnAxis) {
   for (const char* direction : {"0, -1, 0", "1, 0, 0", "0, 0, 1", "0, 1e-7, -1"}) {
     const std::string text = R"({

@@ -1,5 +1,6 @@
-// The OBJ reader against what the format says: which corner gets which position, normal and texture coordinate, which colours of
-// the MTL arrive, and what mesh_complete_normals adds. Polygons: test_obj_polygons.cpp; refusals: test_obj_refused.cpp.
+// The OBJ reader against what the format says: which corner gets which position, normal and texture coordinate, which
+// colours of the MTL arrive, and what mesh_complete_normals adds. Polygons: test_obj_polygons.cpp; refusals:
+// test_obj_refused.cpp.
 #include <glm/geometric.hpp>
 
 #include "obj_fixture.hpp"
@@ -192,7 +193,8 @@ TEST_F(Obj, AMissingMtlIsToldAndTheMeshStays) {
   EXPECT_THAT(mesh.notes, ElementsAre(AllOf(HasSubstr("none.mtl"), HasSubstr("cannot be opened"))));
 }
 
-// A square folded along its diagonal: the shared corners have the mean of both sides, weighted by angle, the others their own.
+// A square folded along its diagonal: the shared corners have the mean of both sides, weighted by angle, the others
+// their own.
 TEST_F(Obj, MissingNormalsAreAngleWeightedMeans) {
   Mesh mesh = read("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\n");
   mesh_complete_normals(mesh);

@@ -12,37 +12,37 @@ namespace {
 
 RayD ray_of(const dvec3& origin, const dvec3& dir) { return {origin, vec_unit(dir)}; }
 
-FlatScene grid_scene(const ivec3& cells, int interpolation, const std::function<double(ivec3)>& density) {
-  FlatScene scene;
+PlannedScene grid_scene(const ivec3& cells, int interpolation, const std::function<double(ivec3)>& density) {
+  PlannedScene scene;
   test::medium_add_grid(scene, cells, interpolation, density, 1, 0);
   return scene;
 }
 
 TEST(ReferenceDensity, NearestIsOneValuePerCell) {
   const auto value = [](ivec3 s) { return s.x + 32 * s.y + 1024 * s.z; };
-  const FlatScene scene = grid_scene({12, 17, 9}, INTERPOLATION_NEAREST, value);  // 2 x 3 x 2 bricks
+  const PlannedScene scene = grid_scene({12, 17, 9}, INTERPOLATION_NEAREST, value);  // 2 x 3 x 2 bricks
   for (const ivec3& c : {ivec3(0), ivec3(7, 3, 8), ivec3(8, 9, 0), ivec3(3, 16, 2), ivec3(11, 16, 8)})
     for (const double inside : {0.0, 0.5, 0.999})
-      EXPECT_EQ(density_at(scene, scene.media[0], dvec3(c) + inside), value(c));
-  EXPECT_EQ(density_at(scene, scene.media[0], {12, 17, 9}), value({11, 16, 8}));  // the upper border
+      EXPECT_EQ(density_at(scene, scene.medium(0), dvec3(c) + inside), value(c));
+  EXPECT_EQ(density_at(scene, scene.medium(0), {12, 17, 9}), value({11, 16, 8}));  // the upper border
 }
 
 TEST(ReferenceDensity, TrilinearReproducesAMultilinearField) {
   const auto field = [](const dvec3& p) { return 1 + p.x + 2 * p.y * p.z + 3 * p.x * p.y * p.z; };
-  const FlatScene scene = grid_scene({12, 10, 9}, INTERPOLATION_TRILINEAR, [&](ivec3 s) { return field(dvec3(s)); });
+  const PlannedScene scene = grid_scene({12, 10, 9}, INTERPOLATION_TRILINEAR, [&](ivec3 s) { return field(dvec3(s)); });
   for (const dvec3& p : {dvec3(0), dvec3(0.25, 7.5, 3.125), dvec3(7.75, 8, 8.5), dvec3(8, 8, 8), dvec3(12, 10, 9)})
-    EXPECT_NEAR(density_at(scene, scene.media[0], p), field(p), 1e-12 * field(p));
+    EXPECT_NEAR(density_at(scene, scene.medium(0), p), field(p), 1e-12 * field(p));
 }
 
 TEST(ReferenceDensity, EmptyBricksAreZero) {
-  const FlatScene scene = grid_scene({16, 8, 8}, INTERPOLATION_NEAREST, [](ivec3 s) { return s.x > 8 ? 2 : 0; });
-  ASSERT_EQ(scene.bricks[0], BRICK_EMPTY);
-  EXPECT_EQ(density_at(scene, scene.media[0], {3, 3, 3}), 0);
+  const PlannedScene scene = grid_scene({16, 8, 8}, INTERPOLATION_NEAREST, [](ivec3 s) { return s.x > 8 ? 2 : 0; });
+  ASSERT_EQ(brick_number(scene, scene.medium(0), {0, 0, 0}), BRICK_EMPTY);
+  EXPECT_EQ(density_at(scene, scene.medium(0), {3, 3, 3}), 0);
   EXPECT_DOUBLE_EQ(optical_depth(scene, 0, ray_of({-1, 4.5, 4.5}, {1, 0, 0}), INFINITE, METHOD_DDA_NEAREST), 14);
 }
 
 TEST(ReferenceDensity, ConstantGridEqualsHomogeneous) {
-  FlatScene scene = grid_scene({8, 8, 8}, INTERPOLATION_TRILINEAR, [](ivec3) { return 0.75; });
+  PlannedScene scene = grid_scene({8, 8, 8}, INTERPOLATION_TRILINEAR, [](ivec3) { return 0.75; });
   test::medium_add_constant(scene, dvec3(0), dvec3(8), 1, 0, 0.75);
   const RayD ray = ray_of({-3, -2, -1}, {5, 4, 3});
   const double expected = optical_depth(scene, 1, ray, 8, METHOD_HOMOGENEOUS);
@@ -54,22 +54,22 @@ TEST(ReferenceDensity, ConstantGridEqualsHomogeneous) {
 }
 
 TEST(ReferenceOpticalDepth, SphereChord) {
-  FlatScene scene;
-  test::medium_add_constant(scene, dvec3(-2), dvec3(2), 1, 0).region = REGION_SPHERE;
+  PlannedScene scene;
+  test::medium_add_constant(scene, dvec3(-2), dvec3(2), 1, 0).placed.region = REGION_SPHERE;
   for (const double height : {0.0, 0.5, 1.5, 1.999})
     EXPECT_NEAR(optical_depth(scene, 0, ray_of({-9, height, 0}, {1, 0, 0}), INFINITE, METHOD_HOMOGENEOUS),
                 2 * std::sqrt(4 - height * height), 1e-13);
   EXPECT_EQ(optical_depth(scene, 0, ray_of({-9, 2, 0}, {1, 0, 0}), INFINITE, METHOD_HOMOGENEOUS), 0);
   EXPECT_NEAR(optical_depth(scene, 0, ray_of({0, 0, 0}, {1, 1, 1}), INFINITE, METHOD_HOMOGENEOUS), 2, 1e-14);
-  scene.media[0].hi = test::packed(2, 2, 6);  // an ellipsoid of half axes 2, 2, 4 about (0, 0, 2)
+  scene.placed[0].hi = test::packed(2, 2, 6);  // an ellipsoid of half axes 2, 2, 4 about (0, 0, 2)
   EXPECT_NEAR(optical_depth(scene, 0, ray_of({0, 0, 9}, {0, 0, -1}), INFINITE, METHOD_HOMOGENEOUS), 8, 1e-13);
 }
 
 TEST(ReferenceOpticalDepth, RampAlongObliqueRaysIsExactWithGauss2) {
-  const FlatScene scene = grid_scene({12, 10, 9}, INTERPOLATION_TRILINEAR, [](ivec3 s) { return s.y; });
+  const PlannedScene scene = grid_scene({12, 10, 9}, INTERPOLATION_TRILINEAR, [](ivec3 s) { return s.y; });
   for (const dvec3& dir : {dvec3(1, 1, 1), dvec3(3, -1, 0.5), dvec3(-0.01, 1, 0), dvec3(1, 0, 0), dvec3(0, -1, 0)}) {
     const RayD ray = ray_of({5.3, 4.7, 4.1}, dir);
-    const Interval span = medium_interval(scene.media[0], ray, 0, INFINITE);
+    const Interval span = medium_interval(scene.medium(0), ray, 0, INFINITE);
     const double expected = (span.t1 - span.t0) * 0.5 * (ray.at(span.t0).y + ray.at(span.t1).y);
     EXPECT_NEAR(optical_depth(scene, 0, ray, INFINITE, METHOD_DDA_GAUSS2), expected, 1e-12 * expected);
     EXPECT_NEAR(optical_depth(scene, 0, ray, INFINITE, METHOD_DDA_MIDPOINT), expected, 1e-12 * expected);
@@ -79,10 +79,10 @@ TEST(ReferenceOpticalDepth, RampAlongObliqueRaysIsExactWithGauss2) {
 
 TEST(ReferenceOpticalDepth, CubicAlongARayInAScaledWorldIsExactWithGauss2) {
   // ρ = xyz in cell space, cells half a world unit wide and moved by one
-  FlatScene scene = grid_scene({12, 10, 9}, INTERPOLATION_TRILINEAR, [](ivec3 s) { return s.x * s.y * s.z; });
-  scene.media[0].cell_from_world = test::affine_scale(2, {2, 2, 2});
+  PlannedScene scene = grid_scene({12, 10, 9}, INTERPOLATION_TRILINEAR, [](ivec3 s) { return s.x * s.y * s.z; });
+  scene.placed[0].cell_from_world = test::affine_scale(2, {2, 2, 2});
   const RayD ray = ray_of({-3, -1.5, -1}, {5, 3, 2});
-  const Interval span = medium_interval(scene.media[0], ray, 0, INFINITE);
+  const Interval span = medium_interval(scene.medium(0), ray, 0, INFINITE);
   double expected = 0;
   for (const QuadratureNode& node : gauss_legendre(3)) {
     const dvec3 p = 2.0 * ray.at(span.t0 + node.x * (span.t1 - span.t0)) + 2.0;
@@ -93,7 +93,7 @@ TEST(ReferenceOpticalDepth, CubicAlongARayInAScaledWorldIsExactWithGauss2) {
 }
 
 TEST(ReferenceSegments, NearestByHand) {
-  const FlatScene scene = grid_scene({4, 4, 4}, INTERPOLATION_NEAREST, [](ivec3 s) { return 1 + s.x; });
+  const PlannedScene scene = grid_scene({4, 4, 4}, INTERPOLATION_NEAREST, [](ivec3 s) { return 1 + s.x; });
   const std::vector<SegmentD> found = segments(scene, 0, RayD{{-1, 0.5, 0.5}, {1, 0, 0}}, 0, 3.25, METHOD_DDA_NEAREST);
   ASSERT_EQ(found.size(), 3u);
   for (int i = 0; i < 3; ++i) {
@@ -106,7 +106,7 @@ TEST(ReferenceSegments, NearestByHand) {
 }
 
 TEST(ReferenceSegments, DiagonalsTieWithoutGarbage) {
-  const FlatScene scene = grid_scene({4, 4, 4}, INTERPOLATION_NEAREST, [](ivec3) { return 1; });
+  const PlannedScene scene = grid_scene({4, 4, 4}, INTERPOLATION_NEAREST, [](ivec3) { return 1; });
   for (const dvec3& dir : {dvec3(1, 1, 1), dvec3(1, 1, 0)}) {
     const std::vector<SegmentD> found = segments(scene, 0, ray_of({0, 0, 0}, dir), 0, INFINITE, METHOD_DDA_NEAREST);
     ASSERT_EQ(found.size(), 4u);
@@ -115,7 +115,7 @@ TEST(ReferenceSegments, DiagonalsTieWithoutGarbage) {
 }
 
 TEST(ReferenceSegments, AlongFacesByTheHalfOpenRule) {
-  const FlatScene scene = grid_scene({4, 4, 4}, INTERPOLATION_NEAREST, [](ivec3 s) { return 1 + s.x; });
+  const PlannedScene scene = grid_scene({4, 4, 4}, INTERPOLATION_NEAREST, [](ivec3 s) { return 1 + s.x; });
   for (const double zero : {0.0, -0.0}) {
     const auto depth = [&](double x) {
       return optical_depth(scene, 0, RayD{{x, 1, -1}, {zero, zero, 1}}, INFINITE, METHOD_DDA_NEAREST);
@@ -142,7 +142,7 @@ double chord(const RayD& ray) {
 }
 
 TEST(ReferenceSegments, OriginsOnCornersEdgesAndFacesInAllDirections) {
-  const FlatScene scene = grid_scene({4, 4, 4}, INTERPOLATION_NEAREST, [](ivec3) { return 1; });
+  const PlannedScene scene = grid_scene({4, 4, 4}, INTERPOLATION_NEAREST, [](ivec3) { return 1; });
   const double places[] = {-1, 0, 2, 2.5, 4, 5}, steps[] = {-1, -0.0, 0, 0.5, 1};
   for (const double x : places)
     for (const double y : places)
@@ -166,10 +166,10 @@ TEST(ReferenceSegments, OriginsOnCornersEdgesAndFacesInAllDirections) {
 }
 
 TEST(ReferenceSegments, MarchCountsStepsWithATolerance) {
-  FlatScene scene;
-  Medium& medium = test::medium_add_constant(scene, dvec3(0), dvec3(4), 1, 0);
+  PlannedScene scene;
+  MediumWalk& walk = test::medium_add_constant(scene, dvec3(0), dvec3(4), 1, 0).walk;
   const auto count = [&](double step) {
-    medium.step = static_cast<float>(step);
+    walk.step = static_cast<float>(step);
     return segments(scene, 0, RayD{{-1, 1, 1}, {1, 0, 0}}, 0, INFINITE, METHOD_MARCH_MIDPOINT).size();
   };
   EXPECT_EQ(count(1), 4u);
@@ -177,7 +177,7 @@ TEST(ReferenceSegments, MarchCountsStepsWithATolerance) {
   EXPECT_EQ(count(4 / 7.0005), 7u);  // within 1/1024 of it
   EXPECT_EQ(count(4 / 7.002), 8u);
   EXPECT_EQ(count(100), 1u);
-  medium.step = 1.5f;
+  walk.step = 1.5f;
   const std::vector<SegmentD> found = segments(scene, 0, RayD{{-1, 1, 1}, {1, 0, 0}}, 0, INFINITE, METHOD_HOMOGENEOUS);
   ASSERT_EQ(found.size(), 3u);
   EXPECT_DOUBLE_EQ(found[1].t_begin, 1 + 4 / 3.0);
@@ -185,7 +185,7 @@ TEST(ReferenceSegments, MarchCountsStepsWithATolerance) {
 }
 
 TEST(ReferenceSegments, LookupsAreCounted) {
-  const FlatScene scene = grid_scene({4, 4, 4}, INTERPOLATION_TRILINEAR, [](ivec3) { return 1; });
+  const PlannedScene scene = grid_scene({4, 4, 4}, INTERPOLATION_TRILINEAR, [](ivec3) { return 1; });
   double lookups = 0;
   optical_depth(scene, 0, RayD{{-1, 1.5, 1.5}, {1, 0, 0}}, INFINITE, METHOD_DDA_GAUSS2, &lookups);
   EXPECT_EQ(lookups, 8);

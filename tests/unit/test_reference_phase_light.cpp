@@ -46,7 +46,7 @@ TEST(ReferencePhase, NoCancellationAtThePeak) {
 }
 
 TEST(ReferenceLight, PointFallsOffWithTheSquareUnlessToldNot) {
-  FlatScene scene;
+  PlannedScene scene;
   Light& light = test::light_add_point(scene, {1, 2, 3}, 8);
   const LightSample sample = light_at(light, {1, 2, -1});
   EXPECT_EQ(sample.travel, dvec3(0, 0, -1));
@@ -58,7 +58,7 @@ TEST(ReferenceLight, PointFallsOffWithTheSquareUnlessToldNot) {
 }
 
 TEST(ReferenceLight, DirectionalIsMadeUnit) {
-  FlatScene scene;
+  PlannedScene scene;
   test::light_add_directional(scene, {0, -3, 4}, 2);
   const LightSample sample = light_at(scene.lights[0], {100, 5, 7});
   EXPECT_NEAR(glm::distance(sample.travel, dvec3(0, -0.6, 0.8)), 0, 1e-15);
@@ -67,7 +67,7 @@ TEST(ReferenceLight, DirectionalIsMadeUnit) {
 }
 
 TEST(ReferenceLight, SpotFadesBySmoothstepInTheCosine) {
-  FlatScene scene;
+  PlannedScene scene;
   Light& light = test::light_add_point(scene, {0, 0, 0}, 1);
   light.type = LIGHT_SPOT;
   light.falloff = FALLOFF_NONE;

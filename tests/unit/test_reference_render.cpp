@@ -15,15 +15,15 @@ namespace {
 const RayD VIEW{{0.5, 0.5, 8}, {0, 0, -1}};
 
 // A slab 0 < z < 2 of constant density, seen along -z.
-FlatScene slab(double sigma_a, double sigma_s) {
-  FlatScene scene = test::scene_empty();
+PlannedScene slab(double sigma_a, double sigma_s) {
+  PlannedScene scene = test::scene_empty();
   test::medium_add_constant(scene, {-64, -64, 0}, {64, 64, 2}, sigma_a, sigma_s);
   return scene;
 }
 
 TEST(ReferenceSlab, TransmitsTheBackground) {
   for (const double tau : {0x1p-20, 1.0, 20.0, 80.0, 1e6}) {
-    FlatScene scene = slab(tau / 2, 0);
+    PlannedScene scene = slab(tau / 2, 0);
     scene.frame.background = test::grey(3);
     const double expected = std::exp(-static_cast<double>(scene.media[0].sigma_a.x) * 2);
     const PixelD pixel = pixel_render(Context(scene, {}), 0, 0);
@@ -33,7 +33,7 @@ TEST(ReferenceSlab, TransmitsTheBackground) {
 }
 
 TEST(ReferenceSlab, EndsAtASurface) {
-  FlatScene scene = slab(0.5, 0);
+  PlannedScene scene = slab(0.5, 0);
   test::shape_add(scene, SHAPE_PLANE, {0, 0, 0.5, 0, 0, 1, 1, 0, 0});
   scene.materials[0].emission = test::grey(1);
   const PixelD pixel = pixel_render(Context(scene, {}), 0, 0);
@@ -46,7 +46,7 @@ TEST(ReferenceSlab, EndsAtASurface) {
 TEST(ReferenceSlab, SingleScatteringLitFromTheFrontAndFromBehind) {
   for (const double g : {0.0, 0.5}) {
     const double a = 0.25, s = 0.75, t = a + s, depth = 2;
-    FlatScene scene = slab(a, s);
+    PlannedScene scene = slab(a, s);
     scene.media[0].phase = PHASE_HENYEY_GREENSTEIN;
     scene.media[0].g = static_cast<float>(g);
     test::light_add_directional(scene, {0, 0, -1}, 5);  // travels with the view: reflected back
@@ -61,17 +61,18 @@ TEST(ReferenceSlab, SingleScatteringLitFromTheFrontAndFromBehind) {
 }
 
 TEST(ReferenceSlab, SegmentRuleByHand) {
-  // one segment or two, cut into 16 parts: the depths to the eye and to the light grow evenly, so the sum is the integral
-  FlatScene scene = slab(0.25, 0.75);
+  // one segment or two, cut into 16 parts: the depths to the eye and to the light grow evenly, so the sum is the
+  // integral
+  PlannedScene scene = slab(0.25, 0.75);
   test::light_add_directional(scene, {0, 0, -1}, 5);
   const double expected = 0.75 * 5 / (4 * PI) * (1 - std::exp(-4)) / 2;
   for (const float step : {8.0f, 1.0f}) {
-    scene.media[0].step = step;
+    scene.walks[0].step = step;
     EXPECT_NEAR(ray_render(Context(scene, {}), VIEW).radiance.x, expected, 1e-14);
   }
   // a thin one takes the light in its middle: albedo · p E e^(-τ/2) · (1 - e^(-τ))
-  FlatScene thin = slab(0x1p-13, 0x1p-12);
-  thin.media[0].step = 8;
+  PlannedScene thin = slab(0x1p-13, 0x1p-12);
+  thin.walks[0].step = 8;
   test::light_add_directional(thin, {0, 0, -1}, 5);
   const double tau = 3 * 0x1p-12;
   EXPECT_NEAR(ray_render(Context(thin, {}), VIEW).radiance.x,
@@ -90,9 +91,9 @@ TEST(ReferenceSlab, SegmentRuleByHand) {
 
 TEST(ReferenceSlab, SegmentRuleOfTwoMediaByHand) {
   // both fill the slab in one segment; each is dimmed by both, and both dim the light: one medium of their sum
-  FlatScene scene = slab(0.25, 0.25);
-  scene.media[0].step = 8;
-  test::medium_add_constant(scene, {-64, -64, 0}, {64, 64, 2}, 0, 1).step = 8;
+  PlannedScene scene = slab(0.25, 0.25);
+  scene.walks[0].step = 8;
+  test::medium_add_constant(scene, {-64, -64, 0}, {64, 64, 2}, 0, 1).walk.step = 8;
   test::light_add_directional(scene, {0, 0, -1}, 1);
   const double expected = 1.25 / (4 * PI) * (1 - std::exp(-6)) / 3;
   const PixelD pixel = ray_render(Context(scene, {}), VIEW);
@@ -104,11 +105,11 @@ double wavy(ivec3 s) { return (1 + s.x % 3 + s.y % 2 + s.z % 4) / 8.0; }
 
 TEST(ReferenceMedia, OverlappingOnesEqualTheirSum) {
   for (const int interpolation : {INTERPOLATION_NEAREST, INTERPOLATION_TRILINEAR}) {
-    FlatScene one = test::scene_empty(), two = test::scene_empty();
+    PlannedScene one = test::scene_empty(), two = test::scene_empty();
     test::medium_add_grid(one, {6, 6, 6}, interpolation, wavy, 0.375, 0.75);
     test::medium_add_grid(two, {6, 6, 6}, interpolation, wavy, 0.25, 0.25);
     test::medium_add_grid(two, {6, 6, 6}, interpolation, wavy, 0.125, 0.5);
-    for (FlatScene* scene : {&one, &two}) test::light_add_point(*scene, {9, 7, 5}, 16);
+    for (PlannedScene* scene : {&one, &two}) test::light_add_point(*scene, {9, 7, 5}, 16);
     const RayD ray{{-1, 1.25, 8}, vec_unit({3, 2, -5})};
     const PixelD a = ray_render(Context(one, {}), ray), b = ray_render(Context(two, {}), ray);
     EXPECT_LT(a.transmittance.x, 0.9);
@@ -124,9 +125,9 @@ TEST(ReferenceMedia, OverlappingOnesEqualTheirSum) {
 }
 
 TEST(ReferenceMedia, ExactPictureConvergesWithItsOrder) {
-  FlatScene scene = test::scene_empty();
+  PlannedScene scene = test::scene_empty();
   test::medium_add_grid(scene, {6, 6, 6}, INTERPOLATION_TRILINEAR, wavy, 0.25, 0.75);
-  scene.media[0].method = METHOD_MARCH_MIDPOINT;  // not asked by the exact picture
+  scene.walks[0].method = METHOD_MARCH_MIDPOINT;  // not asked by the exact picture
   test::light_add_directional(scene, {0, -1, 0}, 1);
   const RayD ray{{-1, 3.5, 2.25}, vec_unit({4, 1, 0.5})};
   const double fine = ray_render(Context(scene, {24, 1}), ray).radiance.x;
@@ -135,9 +136,9 @@ TEST(ReferenceMedia, ExactPictureConvergesWithItsOrder) {
 }
 
 TEST(ReferenceMedia, ColoursAreIndependentAndNoExtinctionIsNoAlbedo) {
-  FlatScene scene = slab(0, 0);
+  PlannedScene scene = slab(0, 0);
   scene.media[0].sigma_s = test::packed(1, 0, 0.5);
-  scene.media[0].step = 8;
+  scene.walks[0].step = 8;
   test::light_add_directional(scene, {0, 0, -1}, 1);
   const PixelD pixel = ray_render(Context(scene, {}), VIEW);
   EXPECT_NEAR(pixel.radiance.x, (1 - std::exp(-4)) / 2 / (4 * PI), 1e-15);
@@ -147,7 +148,7 @@ TEST(ReferenceMedia, ColoursAreIndependentAndNoExtinctionIsNoAlbedo) {
 }
 
 TEST(ReferenceMedia, LightReachesASurfaceThroughThem) {
-  FlatScene scene = slab(0.5, 0);
+  PlannedScene scene = slab(0.5, 0);
   test::shape_add(scene, SHAPE_PLANE, {0, 0, -1, 0, 0, 1, 1, 0, 0});
   test::light_add_directional(scene, {0, 3, -4}, 1);
   // down through the slab 2/(4/5) = 2.5 long, up along the view 2
@@ -155,7 +156,7 @@ TEST(ReferenceMedia, LightReachesASurfaceThroughThem) {
 }
 
 TEST(ReferenceKeys, PrimitiveLitLightsAndChecker) {
-  FlatScene scene = test::scene_empty();
+  PlannedScene scene = test::scene_empty();
   test::shape_add(scene, SHAPE_SPHERE, {50, 0, 0, 1});
   test::shape_add(scene, SHAPE_PLANE, {0, 0, 0, 0, 0, 1, 1, 0, 0});
   scene.materials[0].texture = 0;
@@ -170,13 +171,14 @@ TEST(ReferenceKeys, PrimitiveLitLightsAndChecker) {
   const auto key = [&](double x) { return ray_render(context, RayD{{x, 0.5, 8}, {0, 0, -1}}).key; };
   EXPECT_EQ(key(0.5), 0x9E3779B1u + 5 * 0x85EBCA6Bu);
   EXPECT_EQ(key(1.5), 0x9E3779B1u + 5 * 0x85EBCA6Bu + 0x27D4EB2Fu);
-  const FlatScene nothing = test::scene_empty();
+  const PlannedScene nothing = test::scene_empty();
   EXPECT_EQ(ray_render(Context(nothing, {}), VIEW).key, 0xffffffffu * 0x9E3779B1u);
 }
 
 TEST(ReferenceKeys, BlockedLightsInSegmentsWithDensity) {
-  // 4 cells of depth 2 along the view, one of them empty, each cut into 16 parts; light 1 (of 0, 1) stands behind a quad
-  FlatScene scene = test::scene_empty();
+  // 4 cells of depth 2 along the view, one of them empty, each cut into 16 parts; light 1 (of 0, 1) stands behind a
+  // quad
+  PlannedScene scene = test::scene_empty();
   test::medium_add_grid(
       scene, {4, 4, 4}, INTERPOLATION_NEAREST, [](ivec3 s) { return s.z == 2 ? 0 : 1; }, 1, 1);
   test::shape_add(scene, SHAPE_QUAD, {-9, 6, -9, 0, -1, 0, 1.0 / 18, 0, 0, 0, 0, 1.0 / 18});
@@ -188,8 +190,8 @@ TEST(ReferenceKeys, BlockedLightsInSegmentsWithDensity) {
   EXPECT_EQ(ray_render(Context(scene, {}), VIEW).key, 0xffffffffu * 0x9E3779B1u);
 }
 
-FlatScene small_scene(int size) {
-  FlatScene scene = test::scene_empty(size);
+PlannedScene small_scene(int size) {
+  PlannedScene scene = test::scene_empty(size);
   scene.frame.camera.spp = 3;
   test::medium_add_grid(scene, {6, 6, 6}, INTERPOLATION_TRILINEAR, wavy, 0.25, 0.75);
   test::shape_add(scene, SHAPE_SPHERE, {0, 0, 0, 0.5});
@@ -198,7 +200,7 @@ FlatScene small_scene(int size) {
 }
 
 TEST(ReferenceRender, SameBytesWithAnyNumberOfThreads) {
-  const FlatScene scene = small_scene(6);
+  const PlannedScene scene = small_scene(6);
   Film one({6, 6}), three({6, 6});
   render(scene, one, {0, 1});
   render(scene, three, {0, 3});
@@ -211,7 +213,7 @@ TEST(ReferenceRender, SameBytesWithAnyNumberOfThreads) {
 }
 
 TEST(ReferenceRender, TouchesOnlyTheCrop) {
-  FlatScene scene = small_scene(6);
+  PlannedScene scene = small_scene(6);
   scene.frame.crop_x0 = 2, scene.frame.crop_y0 = 1, scene.frame.crop_x1 = 5, scene.frame.crop_y1 = 3;
   Film film({6, 6});
   render(scene, film, {0, 2});

@@ -18,7 +18,7 @@ struct Case {
   double t;  // INFINITE for a miss
 };
 
-void expect_hits(const FlatScene& scene, std::initializer_list<Case> cases) {
+void expect_hits(const PlannedScene& scene, std::initializer_list<Case> cases) {
   for (const Case& c : cases) {
     const HitD hit = nearest_hit(scene, RayD{c.origin, vec_unit(c.dir)});
     EXPECT_EQ(hit.primitive == PRIMITIVE_NONE, c.t == INFINITE) << c.name;
@@ -30,7 +30,7 @@ void expect_hits(const FlatScene& scene, std::initializer_list<Case> cases) {
 }
 
 TEST(ReferenceShapes, Sphere) {
-  FlatScene scene;
+  PlannedScene scene;
   shape_add(scene, SHAPE_SPHERE, {1, 0, 0, 2});
   expect_hits(scene, {{"front", {5, 0, 0}, {-1, 0, 0}, 2},
                       {"inside", {1, 0, 0}, {0, 1, 0}, 2},
@@ -44,7 +44,7 @@ TEST(ReferenceShapes, Sphere) {
 }
 
 TEST(ReferenceShapes, ClosedCylinder) {
-  FlatScene scene;
+  PlannedScene scene;
   shape_add(scene, SHAPE_CYLINDER, {0, 1, 0, 0, 1, 0, 2, 0.5, 1, 0, 0});  // y in [1,3], radius 1/2
   expect_hits(scene, {{"side", {4, 2, 0}, {-1, 0, 0}, 3.5},
                       {"top cap along the axis", {0.25, 7, 0}, {0, -1, 0}, 4},
@@ -59,7 +59,7 @@ TEST(ReferenceShapes, ClosedCylinder) {
 }
 
 TEST(ReferenceShapes, PlaneAndQuad) {
-  FlatScene plane;
+  PlannedScene plane;
   shape_add(plane, SHAPE_PLANE, {0, 1, 0, 0, 1, 0, 1, 0, 0});
   expect_hits(plane, {{"from above", {9, 3, 9}, {0, -1, 0}, 2},
                       {"from below", {9, -3, 9}, {0, 1, 0}, 4},
@@ -67,7 +67,7 @@ TEST(ReferenceShapes, PlaneAndQuad) {
                       {"within", {0, 1, 0}, {1, 0, 0}, INFINITE},
                       {"away", {0, 3, 0}, {0, 1, 0}, INFINITE},
                       {"oblique", {0, 2, 0}, {3, -4, 0}, 1.25}});
-  FlatScene quad;  // corner (0,0,0), u = (2,0,0), v = (1,2,0)
+  PlannedScene quad;  // corner (0,0,0), u = (2,0,0), v = (1,2,0)
   shape_add(quad, SHAPE_QUAD, {0, 0, 0, 0, 0, 1, 0.5, -0.25, 0, 0, 0.5, 0});
   expect_hits(quad, {{"middle", {1.5, 1, 3}, {0, 0, -1}, 3},
                      {"left of the slanted edge", {0.25, 1, 3}, {0, 0, -1}, INFINITE},
@@ -78,7 +78,7 @@ TEST(ReferenceShapes, PlaneAndQuad) {
 }
 
 TEST(ReferenceShapes, Box) {
-  FlatScene scene;  // world [-1,1] x [-1,1] x [-2,2]: unit = (x+1)/2, (y+1)/2, (z+2)/4
+  PlannedScene scene;  // world [-1,1] x [-1,1] x [-2,2]: unit = (x+1)/2, (y+1)/2, (z+2)/4
   shape_add(scene, SHAPE_BOX, {0.5, 0, 0, 0.5, 0, 0.5, 0, 0.5, 0, 0, 0.25, 0.5});
   expect_hits(scene, {{"front", {0, 0, 5}, {0, 0, -1}, 3},
                       {"inside", {0, 0, 1}, {0, 0, -1}, 3},
@@ -92,7 +92,7 @@ TEST(ReferenceShapes, Box) {
 }
 
 TEST(ReferenceShapes, TrianglesAndBarycentrics) {
-  FlatScene scene;
+  PlannedScene scene;
   test::triangle_add(scene, {0, 0, 0}, {4, 0, 0}, {0, 4, 0});
   const HitD hit = nearest_hit(scene, RayD{{1, 2, 5}, {0, 0, -1}});
   EXPECT_EQ(hit.primitive, FIRST_TRIANGLE);
@@ -104,13 +104,13 @@ TEST(ReferenceShapes, TrianglesAndBarycentrics) {
                       {"vertex", {4, 0, 1}, {0, 0, -1}, 1},
                       {"beyond the hypotenuse", {2.001, 2, 1}, {0, 0, -1}, INFINITE},
                       {"within its plane", {-1, 1, 0}, {1, 0, 0}, INFINITE}});
-  FlatScene degenerate;
+  PlannedScene degenerate;
   test::triangle_add(degenerate, {0, 0, 0}, {1, 1, 0}, {2, 2, 0});
   expect_hits(degenerate, {{"degenerate", {1, 1, 1}, {0, 0, -1}, INFINITE}});
 }
 
 TEST(ReferenceShapes, NearestWinsAndTheFirstOfEquals) {
-  FlatScene scene;
+  PlannedScene scene;
   shape_add(scene, SHAPE_SPHERE, {0, 0, -4, 1});
   shape_add(scene, SHAPE_SPHERE, {0, 0, 0, 1});
   shape_add(scene, SHAPE_SPHERE, {0, 0, 0, 1});
@@ -122,7 +122,7 @@ TEST(ReferenceShapes, NearestWinsAndTheFirstOfEquals) {
 }
 
 TEST(ReferenceShapes, BoundsOfTriangleRunsNeverChangeAHit) {
-  FlatScene scene;
+  PlannedScene scene;
   uint n = 0;
   const auto random = [&] { return 2 * rng_uniform(n++, 0, 0, 7) - 1; };
   const auto point = [&] {

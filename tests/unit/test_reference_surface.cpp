@@ -10,7 +10,7 @@
 namespace brume::reference {
 namespace {
 
-SurfaceD look(const FlatScene& scene, const dvec3& origin, const dvec3& dir) {
+SurfaceD look(const PlannedScene& scene, const dvec3& origin, const dvec3& dir) {
   const RayD ray{origin, vec_unit(dir)};
   const HitD hit = nearest_hit(scene, ray);
   EXPECT_NE(hit.primitive, PRIMITIVE_NONE);
@@ -25,7 +25,7 @@ void expect_near(const dvec2& a, const dvec2& b, double tolerance = 1e-13) {
 }
 
 TEST(ReferenceSurface, SphereNormalsAndCoordinates) {
-  FlatScene scene;
+  PlannedScene scene;
   test::shape_add(scene, SHAPE_SPHERE, {0, 0, 0, 2});
   const SurfaceD front = look(scene, {0, 0, 5}, {0, 0, -1});  // +z is -90 degrees, i.e. 3/4 turn
   expect_near(front.normal, {0, 0, 1});
@@ -40,7 +40,7 @@ TEST(ReferenceSurface, SphereNormalsAndCoordinates) {
 }
 
 TEST(ReferenceSurface, CylinderSideAndCaps) {
-  FlatScene scene;  // axis z, its frame x, y = z × x
+  PlannedScene scene;  // axis z, its frame x, y = z × x
   test::shape_add(scene, SHAPE_CYLINDER, {0, 0, 0, 0, 0, 1, 4, 2, 1, 0, 0});
   const SurfaceD side = look(scene, {0, 5, 1}, {0, -1, 0});
   expect_near(side.normal, {0, 1, 0});
@@ -53,15 +53,15 @@ TEST(ReferenceSurface, CylinderSideAndCaps) {
 }
 
 TEST(ReferenceSurface, PlaneQuadBoxCoordinates) {
-  FlatScene plane;
+  PlannedScene plane;
   test::shape_add(plane, SHAPE_PLANE, {1, 2, 0, 0, 1, 0, 1, 0, 0});  // v axis = y × x = -z
   expect_near(look(plane, {4, 9, 5}, {0, -1, 0}).uv, {3, -5});
   expect_near(look(plane, {4, -9, 5}, {0, 1, 0}).normal, {0, -1, 0});
-  FlatScene quad;
+  PlannedScene quad;
   test::shape_add(quad, SHAPE_QUAD, {0, 0, 0, 0, 0, 1, 0.5, -0.25, 0, 0, 0.5, 0});
   expect_near(look(quad, {1.5, 1, 3}, {0, 0, -1}).uv, {0.5, 0.5});
   expect_near(look(quad, {1.5, 0.5, 3}, {0, 0, -1}).uv, {0.625, 0.25});
-  FlatScene box;  // [0,2] x [0,4] x [0,8]
+  PlannedScene box;  // [0,2] x [0,4] x [0,8]
   test::shape_add(box, SHAPE_BOX, {0.5, 0, 0, 0, 0, 0.25, 0, 0, 0, 0, 0.125, 0});
   expect_near(look(box, {9, 1, 2}, {-1, 0, 0}).uv, {0.25, 0.25});    // (y, z)
   expect_near(look(box, {0.5, 9, 2}, {0, -1, 0}).uv, {0.25, 0.25});  // (x, z)
@@ -70,13 +70,13 @@ TEST(ReferenceSurface, PlaneQuadBoxCoordinates) {
 }
 
 TEST(ReferenceSurface, ShearedBoxHasTheFaceNormalOfItsPlane) {
-  FlatScene box;  // unit x = x - y: the face x = 0 is the plane x = y, whose outward normal is (-1, 1, 0)/√2
+  PlannedScene box;  // unit x = x - y: the face x = 0 is the plane x = y, whose outward normal is (-1, 1, 0)/√2
   test::shape_add(box, SHAPE_BOX, {1, -1, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0});
   expect_near(look(box, {-4, 0.5, 0.5}, {1, 0, 0}).normal, dvec3(-1, 1, 0) / std::sqrt(2.0));
 }
 
 TEST(ReferenceSurface, TriangleShadingFlipsTogetherWithItsFace) {
-  FlatScene scene;
+  PlannedScene scene;
   Triangle& triangle = test::triangle_add(scene, {0, 0, 0}, {4, 0, 0}, {0, 4, 0});
   triangle.shading = TRIANGLE_PHONG;
   triangle.n[0] = test::packed(0, 0, 1);
@@ -93,7 +93,7 @@ TEST(ReferenceSurface, TriangleShadingFlipsTogetherWithItsFace) {
 }
 
 TEST(ReferenceTexture, BilinearWithRepeat) {
-  FlatScene scene;  // texels: bottom row 1 2, top row 3 5; an unused texel first
+  PlannedScene scene;  // texels: bottom row 1 2, top row 3 5; an unused texel first
   scene.texels = {9, 9, 9, 1, 1, 1, 2, 2, 2, 3, 3, 3, 5, 5, 5};
   Texture texture{};
   texture.type = TEXTURE_IMAGE;
@@ -115,7 +115,7 @@ TEST(ReferenceTexture, BilinearWithRepeat) {
 }
 
 TEST(ReferenceTexture, ScaledShiftedClampedAndInOtherUnits) {
-  FlatScene scene;  // texels: bottom row 1 2, top row 3 5
+  PlannedScene scene;  // texels: bottom row 1 2, top row 3 5
   scene.texels = {1, 1, 1, 2, 2, 2, 3, 3, 3, 5, 5, 5};
   Texture texture{};
   texture.type = TEXTURE_IMAGE;
@@ -143,7 +143,7 @@ TEST(ReferenceTexture, ScaledShiftedClampedAndInOtherUnits) {
 }
 
 TEST(ReferenceTexture, EmissionHasATextureOfItsOwn) {
-  FlatScene scene;
+  PlannedScene scene;
   test::shape_add(scene, SHAPE_PLANE, {0, 0, 0, 0, 0, 1, 1, 0, 0});
   scene.materials[0].emission = test::grey(2);
   EXPECT_EQ(look(scene, {0, 0, 1}, {0, 0, -1}).emission, dvec3(2));
@@ -159,7 +159,7 @@ TEST(ReferenceTexture, EmissionHasATextureOfItsOwn) {
 }
 
 TEST(ReferenceTexture, CheckerAlternatesAcrossTheOrigin) {
-  FlatScene scene;
+  PlannedScene scene;
   test::shape_add(scene, SHAPE_PLANE, {0, 0, 0, 0, 0, 1, 1, 0, 0});
   scene.materials[0].texture = 0;
   scene.materials[0].diffuse = test::grey(0.5);
@@ -179,7 +179,7 @@ TEST(ReferenceTexture, CheckerAlternatesAcrossTheOrigin) {
 
 TEST(ReferenceReflection, LambertUnderAPointLight) {
   // floor y = 0, light at height 4 and 3 away: d² = 25, cos = 4/5
-  FlatScene scene;
+  PlannedScene scene;
   test::shape_add(scene, SHAPE_PLANE, {0, 0, 0, 0, 1, 0, 1, 0, 0});
   scene.materials[0].diffuse = test::grey(0.5);
   scene.materials[0].ambient = test::grey(0.25);
@@ -195,7 +195,7 @@ TEST(ReferenceReflection, LambertUnderAPointLight) {
 
 TEST(ReferenceReflection, PhongAndBlinnPhongLobes) {
   // viewer straight above, light 45 degrees off: R·V = √½, N·H = cos 22.5°
-  FlatScene scene;
+  PlannedScene scene;
   test::shape_add(scene, SHAPE_PLANE, {0, 0, 0, 0, 1, 0, 1, 0, 0});
   scene.materials[0].diffuse = test::grey(0);
   scene.materials[0].specular = test::grey(0.5);
@@ -212,7 +212,7 @@ TEST(ReferenceReflection, PhongAndBlinnPhongLobes) {
 
 TEST(ReferenceSurface, NoSelfShadowAtAnyScale) {
   for (const double scale : {0x1p-14, 1.0, 0x1p14}) {
-    FlatScene scene;
+    PlannedScene scene;
     test::shape_add(scene, SHAPE_SPHERE, {scale, scale / 2, 0, scale});
     test::light_add_directional(scene, {1, -1, -1}, 1);
     const Context context(scene, {});
@@ -227,7 +227,7 @@ TEST(ReferenceSurface, NoSelfShadowAtAnyScale) {
 }
 
 TEST(ReferenceSurface, RaysLeaveOnTheSideToWhichTheyGo) {
-  FlatScene scene;
+  PlannedScene scene;
   test::shape_add(scene, SHAPE_PLANE, {0, 0, 0, 0, 1, 0, 1, 0, 0});
   const SurfaceD surface = look(scene, {0, 2, 0}, {0, -1, 0});  // t = 2 exceeds |P|
   EXPECT_EQ(surface_leave(surface, {0, 1, 0}), dvec3(0, 0x1p-16, 0));

@@ -1,4 +1,5 @@
-// scene_read: defaults, paths, files that are no scenes, --set, mutated texts. Refusals part by part: test_scene_refusals.
+// scene_read: defaults, paths, files that are no scenes, --set, mutated texts. Refusals part by part:
+// test_scene_refusals.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -208,8 +208,9 @@ TEST_F(Vdb, RealFiles) {
   EXPECT_THAT(refusal(data_path("volumes/oiio_sphereCd_vec3.vdb")), HasSubstr("holds vec3s values"));
 }
 
-// A ball about the world's origin made from a signed distance: 1 inside, falling to 0 at radius 1 over 0.305. The distance in
-// the file is itself off by up to 1.6 % of the radius, hence the tolerance; half a voxel beside would miss by 0.16.
+// A ball about the world's origin made from a signed distance: 1 inside, falling to 0 at radius 1 over 0.305. The
+// distance in the file is itself off by up to 1.6 % of the radius, hence the tolerance; half a voxel beside would miss
+// by 0.16.
 TEST_F(Vdb, TheBallIsRound) {
   NEED_DATA(data_path("volumes/oiio_sphere_fog.vdb"));
   const Grid ball = volume_read(data_path("volumes/oiio_sphere_fog.vdb"));

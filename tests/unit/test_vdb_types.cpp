@@ -1,4 +1,5 @@
-// OpenVDB files: the value types that can be densities. Apart from the rest because every type takes seconds to compile.
+// OpenVDB files: the value types that can be densities. Apart from the rest because every type takes seconds to
+// compile.
 #include "vdb_fixture.hpp"
 
 using namespace brume;

@@ -54,7 +54,8 @@ TEST_F(VdbValues, InTheirOrder) {
   EXPECT_EQ(densities(file({row({0.5f, 1, 2})}), values), (std::vector<float>{0, 30, 10}));
 }
 
-// As in a scan whose air is -1000: with a remap it is for the scene to say what values mean. Outside of the active voxels there is nothing.
+// As in a scan whose air is -1000: with a remap it is for the scene to say what values mean. Outside of the active
+// voxels there is nothing.
 TEST_F(VdbValues, RemapAllowsABackground) {
   VolumeValues values;
   values.remap = {{-1000, 0}, {1000, 2}};
@@ -71,7 +72,8 @@ TEST_F(VdbValues, RemapReachesTheEndsOfFloat) {
   EXPECT_NEAR(densities(file({row({1.5e38f, 3e38f})}), values)[0], 0.5, 1e-6);
 }
 
-// A ball of radius 12 voxels: its volume, in voxels, is 4/3 pi r^3; its diameter is what a line through its middle sees.
+// A ball of radius 12 voxels: its volume, in voxels, is 4/3 pi r^3; its diameter is what a line through its middle
+// sees.
 TEST_F(VdbValues, LevelSetsAreFilled) {
   const double radius = 12, voxel = 0.25;
   const auto ball = FloatGrid::create(float(3 * voxel));

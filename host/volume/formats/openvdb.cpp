@@ -16,7 +16,7 @@ namespace {
 
 using TopologySink = std::function<void(const VolumeTopology&, const std::string& background)>;
 
-ivec3 vec(const std::int32_t* v) { return {v[0], v[1], v[2]}; }
+ivec3 index(const std::int32_t* v) { return {v[0], v[1], v[2]}; }
 
 std::string problem_of(const InputError& error, const std::string& place) {
   const std::string text = error.what();
@@ -47,8 +47,8 @@ Grid grid_read(
 void grid_inspect(VolumeProgram& program, const fs::path& file, std::size_t i, bool voxels, VolumeGridInfo& info) {
   const auto topology = [&](const VolumeTopology& t, const std::string& background) {
     info.active_voxels = t.active;
-    info.index_min = vec(t.lo);
-    info.index_max = vec(t.hi);
+    info.index_min = index(t.lo);
+    info.index_max = index(t.hi);
     info.background = background;
   };
   info.refusal = volume_refusal(program.grids()[i], {});

@@ -1,13 +1,13 @@
-// OpenVDB files: float (also saved as half), double, int32, int64, bool and mask grids, level sets. Samples sit at integer index.
-// OpenVDB itself is seen by brume-volume alone.
+// OpenVDB files: float (also saved as half), double, int32, int64, bool and mask grids, level sets. Samples sit at
+// integer index. OpenVDB itself is seen by brume-volume alone.
 #pragma once
 #include "volume/volume_file.hpp"
 
 namespace brume {
 
-// See volume_file.hpp, through which these are called. Refused with an InputError that says what is allowed: other value
-// types, staggered grids, transforms that are not linear, level sets that are not to be filled, backgrounds other than 0, values that are
-// NaN, infinite or negative, and files that are damaged as far as that can be seen.
+// See volume_file.hpp, through which these are called. Refused with an InputError that says what is allowed: other
+// value types, staggered grids, transforms that are not linear, level sets that are not to be filled, backgrounds other
+// than 0, values that are NaN, infinite or negative, and files that are damaged as far as that can be seen.
 std::vector<VolumeGridInfo> vdb_list(const std::filesystem::path& file, bool voxels);
 Grid vdb_read(const std::filesystem::path& file, const std::string& grid_name, const VolumeValues& values);
 VolumeFirst vdb_read_first(const std::filesystem::path& file);

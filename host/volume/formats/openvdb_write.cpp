@@ -26,14 +26,13 @@ bool send_grid(HelperProgram& program, const Grid& grid, const std::string& path
   std::memcpy(head.world_from_index, glm::value_ptr(world_from_index), sizeof head.world_from_index);
   const std::string name = grid.name.empty() ? "density" : grid.name;
   if (!volume_send(program, VolumeFrame::WRITE, &head, sizeof head, volume_texts({path, name}))) return false;
-  const ivec3 blocks = grid.blocks();
-  for (ivec3 b(0); b.z < blocks.z; ++b.z)
-    for (b.y = 0; b.y < blocks.y; ++b.y)
-      for (b.x = 0; b.x < blocks.x; ++b.x) {
-        if (grid.block_empty(b)) continue;
-        const VolumeLeaf leaf = leaf_of(b, grid.block(b));
-        if (!volume_send(program, VolumeFrame::LEAVES, &leaf, sizeof leaf)) return false;
-      }
+  bool sent = true;
+  grid_visit_blocks(grid, [&](ivec3 b) {
+    if (!sent) return;
+    const VolumeLeaf leaf = leaf_of(b, grid.block(b));
+    sent = volume_send(program, VolumeFrame::LEAVES, &leaf, sizeof leaf);
+  });
+  if (!sent) return false;
   return volume_send(program, VolumeFrame::DONE, nullptr, 0);
 }
 

@@ -1,7 +1,8 @@
-// Improved Perlin noise [Perlin02] as a fractal sum. The permutation is shuffled by our own generator, so that a seed gives
-// the same field on every platform.
+// Improved Perlin noise [Perlin02] as a fractal sum. The permutation is shuffled by our own generator, so that a seed
+// gives the same field on every platform.
 //   sum   = Σ_{k < octaves} 2⁻ᵏ noise(2ᵏ p) / Σ 2⁻ᵏ,   p = (i + 0.5) · scale / longest side of the resolution
-//   value = clamp(0.5 + 0.5 · sum, 0, 1): mean 0.5; noise itself lies in about [-1, 1]. The lattice repeats after 256 cells.
+//   value = clamp(0.5 + 0.5 · sum, 0, 1): mean 0.5; noise itself lies in about [-1, 1]. The lattice repeats after 256
+//   cells.
 #include <algorithm>
 #include <cmath>
 #include <numeric>

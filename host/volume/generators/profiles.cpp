@@ -11,7 +11,9 @@ namespace brume {
 Grid density_constant(const DensitySpec& spec) {
   if (!(spec.value >= 0 && spec.value <= FLT_MAX))
     throw InputError("density 'constant': value: expected a finite number >= 0, got " + number_text(spec.value));
-  return grid_generate(spec, [&](ivec3) { return spec.value; });
+  Grid grid = grid_empty(spec);
+  grid.fill(ivec3(0), grid.size() - 1, static_cast<float>(spec.value));
+  return grid;
 }
 
 Grid density_linear(const DensitySpec& spec) {

@@ -1,0 +1,20 @@
+// The bricks of grids in a flat scene (layout: shared/medium.h): how they are made, and how one is found.
+#pragma once
+#include <glm/ext/vector_int3_sized.hpp>
+
+#include "flat/flat_scene.hpp"
+#include "volume/grid.hpp"
+
+namespace brume {
+
+// Appends the bricks of a grid: index, ranges and samples; fills in the medium's geometry. Throws InputError where
+// the scene would
+// hold more than 32-bit offsets reach. The second form gives the grid's memory back as it goes: afterwards it
+// reads as 0.
+void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene);
+void bricks_append(Grid&& grid, Medium& medium, FlatScene& scene);
+
+// Number of the samples of brick b of the medium's grid, or BRICK_EMPTY. 0 <= b < brick_n.
+std::int32_t brick_entry(const FlatScene& scene, const Medium& medium, glm::ivec3 b);
+
+}  // namespace brume

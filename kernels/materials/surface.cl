@@ -1,0 +1,56 @@
+// What a ray finds at its hit: point, normals facing the viewer, texture coordinates, material.
+#ifndef BRUME_MATERIALS_SURFACE_CL
+#define BRUME_MATERIALS_SURFACE_CL
+#include "shapes/shapes.cl"
+
+typedef struct {
+  float3 point, geometric_normal, normal;
+  float2 uv;
+  int leaving;  // the ray comes from the side to which the shape's own normal does not point: from inside a closed one
+  float epsilon;  // offset of rays that leave the point, ARCHITECTURE "Hits"
+  int material;
+} Surface;
+
+static inline float3 triangle_normals(const Triangle* t, const Hit* hit, float3* geometric) {
+  const float3 p0 = vec_unpack(t->p[0]);
+  *geometric = vec_unit(cross(vec_scaled(vec_unpack(t->p[1]) - p0), vec_scaled(vec_unpack(t->p[2]) - p0)));
+  if (t->shading == TRIANGLE_FLAT) return *geometric;
+  return normalize((1.0f - hit->u - hit->v) * vec_unpack(t->n[0]) + hit->u * vec_unpack(t->n[1]) +
+                   hit->v * vec_unpack(t->n[2]));
+}
+
+static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* hit) {
+  Surface s;
+  const float3 dir = vec_unpack(ray->dir);
+  s.point = vec_point(vec_unpack(ray->origin), dir, hit->t);
+#if BRUME_TRIANGLES
+  if (hit->primitive >= FIRST_TRIANGLE) {
+    const Triangle t = scene->triangles[hit->primitive - FIRST_TRIANGLE];
+    const float w = 1.0f - hit->u - hit->v;
+    s.normal = triangle_normals(&t, hit, &s.geometric_normal);
+    s.uv =
+        (float2)(w * t.uv[0] + hit->u * t.uv[2] + hit->v * t.uv[4], w * t.uv[1] + hit->u * t.uv[3] + hit->v * t.uv[5]);
+    s.material = t.material;
+  } else
+#endif
+  {
+    const Shape shape = scene->shapes[hit->primitive];
+    s.geometric_normal = shape_normal(&shape, s.point, &s.uv);
+    s.normal = s.geometric_normal;
+    s.material = shape.material;
+  }
+  s.leaving = dot(s.geometric_normal, dir) > 0.0f;
+  if (s.leaving) {
+    s.geometric_normal = -s.geometric_normal;
+    s.normal = -s.normal;
+  }
+  s.epsilon = 0x1p-17f * fmax(vec_max_abs(s.point), hit->t);
+  return s;
+}
+
+// Start of a ray that leaves the surface in direction dir.
+static inline float3 surface_leave(const Surface* s, float3 dir) {
+  return s->point + s->geometric_normal * (dot(s->geometric_normal, dir) < 0.0f ? -s->epsilon : s->epsilon);
+}
+
+#endif

@@ -1,0 +1,187 @@
+// From ∫ρ to light: extinction per channel, transmittance through all media, in-scattering along a view ray.
+#ifndef BRUME_MEDIA_RADIATIVE_CL
+#define BRUME_MEDIA_RADIATIVE_CL
+#include "media/sources.cl"
+
+// What medium m sends to the origin from these segments.
+static inline float3 stretch_radiance(const Scene* scene, Stretch* s, MediumResult* result) {
+  const float3 sigma_s = vec_unpack(s->medium->sigma_s), emission = vec_unpack(s->medium->emission);
+  Colors source = {(floatW)(0.0f), (floatW)(0.0f), (floatW)(0.0f)};
+  if (vec_max(sigma_s) > 0.0f) source = stretch_sources(scene, s, result);
+  return (float3)(lanes_sum((source.x * sigma_s.x + emission.x) * s->gain[0]),
+                  lanes_sum((source.y * sigma_s.y + emission.y) * s->gain[TAU_CHANNELS / 2]),
+                  lanes_sum((source.z * sigma_s.z + emission.z) * s->gain[TAU_CHANNELS - 1]));
+}
+
+// No light is asked for from segment i on.
+static inline void stretch_end_at(Stretch* s, int i) {
+  for (; i < W; ++i) s->integral[i] = 0.0f;
+}
+
+// ∫ρT over segments behind `before`: while T falls by `depth`, evenly with ∫ρ, it is ∫ρ times the mean of T.
+static inline floatW segment_gain(const Scene* scene, floatW integral, floatW before, floatW depth) {
+  if (scene->frame->in_scattering == IN_SCATTERING_RECTANGLE) return exp(-(before + depth)) * integral;
+  return exp(-before) * lanes_mean_exp(depth) * integral;
+}
+
+// τ of the medium up to each segment; moves *tau past them all.
+static inline void stretch_before(const Scene* scene, Stretch* s, Tau sigma_t, Tau* tau, floatW* before) {
+#if BRUME_ROULETTE
+  float each[TAU_CHANNELS][W];
+  for (int i = 0; i < W; ++i) {
+    for (int c = 0; c < TAU_CHANNELS; ++c) each[c][i] = tau_channel(*tau, c);
+    *tau += sigma_t * s->integral[i];
+    if (s->integral[i] > 0.0f && !roulette_survives(scene, &s->walk, s->id[i], tau)) stretch_end_at(s, i + 1);
+  }
+  for (int c = 0; c < TAU_CHANNELS; ++c) before[c] = lanes_load(each[c]);
+#else
+  const floatW integral = lanes_load(s->integral), walked = lanes_before(integral);
+  for (int c = 0; c < TAU_CHANNELS; ++c)
+    before[c] = mad_exact((floatW)(tau_channel(sigma_t, c)), walked, (floatW)(tau_channel(*tau, c)));
+  *tau += sigma_t * lanes_sum(integral);
+#endif
+}
+
+// Gains of the segments; moves *tau, that of their medium, past them.
+static inline void stretch_gains(const Scene* scene, Stretch* s, Tau sigma_t, Tau* tau) {
+  floatW before[TAU_CHANNELS];
+  s->dense = (intW)(0);
+  if (TAKES_ENDS(scene) && scene->frame->in_scattering == IN_SCATTERING_SEGMENT)
+    s->dense = stretch_depth_max(s) > (floatW)(RULE_IS(s->medium, PRODUCT) ? TAU_THIN_CONSTANT : TAU_THIN);
+  stretch_before(scene, s, sigma_t, tau, before);
+  const floatW integral = lanes_load(s->integral);
+  for (int c = 0; c < TAU_CHANNELS; ++c) {
+#if BRUME_MEDIA == 2
+    before[c] += s->others[c];
+#endif
+    s->gain[c] = segment_gain(scene, integral, before[c], s->depth[c]);
+  }
+}
+
+#if BRUME_TRACKING
+// The same for tentative collisions: without bias in the mean, whatever the light.
+static inline void track_gains(const Scene* scene, Stretch* s, int m, Tau sigma_t, Tau* tau, Others* others,
+                               MediumResult* result) {
+  float gain[TAU_CHANNELS][W];
+  s->dense = (intW)(0);
+  for (int c = 0; c < TAU_CHANNELS; ++c)
+    for (int i = 0; i < W; ++i) gain[c][i] = 0.0f;
+  for (int i = 0; i < s->at->count; ++i) {
+    const Collision hit = track_collide(s->medium, &s->walk, s->at, i, s->integral[i], sigma_t, tau);
+    if (hit.weight > 0.0f) {
+#if BRUME_MEDIA == 2
+      others_advance(scene, s, m, s->at->place[i], stretch_random(s, i, STREAM_OTHERS), others, &result->lookups);
+#endif
+      const Tau before = hit.before + others->tau;
+      for (int c = 0; c < TAU_CHANNELS; ++c) gain[c][i] = hit.weight * exp(-tau_channel(before, c));
+    }
+    s->integral[i] = hit.weight;
+    result->lookups += s->at->size[i] > 0.0f;
+    if (!roulette_survives(scene, &s->walk, s->at->id[i], tau) || tau_min(*tau) >= TAU_STOP) {
+      stretch_end_at(s, i + 1);
+      break;
+    }
+  }
+  for (int c = 0; c < TAU_CHANNELS; ++c) s->gain[c] = lanes_load(gain[c]);
+}
+#endif
+
+static inline Stretch stretch_of(const Medium* medium, const MediumRay* ray, float3 origin, float3 dir, float t_max,
+                                 Random random, int m) {
+  Stretch s;
+  s.medium = medium;
+  s.ray = ray;
+  s.origin = origin;
+  s.dir = dir;
+  s.t_max = t_max;
+  s.random = random;
+  s.walk = random_stream(random, (uint)m);
+  s.light_t = -INFINITY;
+  s.light_tau = (Tau)(0.0f);
+  return s;
+}
+
+// Medium m along a view ray up to t_max: adds what it scatters and emits towards the origin to *radiance and returns
+// its optical depth. Each turn takes W segments of the walk, or W parts of those that are dense.
+static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float3 dir, float t_max, Random random,
+                                 float3* radiance, MediumResult* result) {
+  const Medium medium = scene->media[m];
+  const Tau sigma_t = medium_sigma_t(&medium);
+  const MediumRay ray = medium_ray(&medium, origin, dir, t_max);
+  Tau tau = (Tau)(0.0f);
+  if (!(ray.length > 0.0f)) return tau;
+  const int cuts = scene->frame->in_scattering == IN_SCATTERING_SEGMENT;
+  Stretch s = stretch_of(&medium, &ray, origin, dir, t_max, random, m);
+  Others others = {-ray.t_begin, (Tau)(0.0f)};
+  Segments whole, parts;
+  Cut cut;
+  cut.lane = W;
+  Walk walk = walk_begin(&medium, &ray, s.walk, 0);
+  while (tau_min(tau + others.tau) < TAU_STOP) {
+    const int uncut = cut.lane == W;
+    if (uncut) {
+      walk_next(scene, &medium, &ray, &walk, &whole);
+      s.at = &whole;
+    } else {
+      stretch_parts(&whole, &cut, &parts, &s);
+      s.at = &parts;
+    }
+    if (s.at->count == 0) {
+      if (uncut) break;
+      continue;  // the last parts filled their batch
+    }
+#if BRUME_RANDOM
+    for (int i = 0; i < W; ++i) s.id[i] = uncut ? walk_id(&medium, &whole, i) : parts.id[i];
+#endif
+    if (uncut || RULE_IS(&medium, GAUSS2)) {
+      lanes_store(walk_integral(scene, &medium, &ray, s.at), s.integral);
+      if (!PLACEMENT_IS(&medium, COLLISIONS)) result->lookups += walk_lookups(&medium, s.at);
+    }
+#if BRUME_TRACKING
+    if (PLACEMENT_IS(&medium, COLLISIONS)) {
+      track_gains(scene, &s, m, sigma_t, &tau, &others, result);
+    } else
+#endif
+    {
+      Others moved = others;
+#if BRUME_MEDIA == 2
+      stretch_others(scene, &s, m, &moved, &result->lookups);
+#endif
+      stretch_depths(&s, sigma_t);
+      if (uncut && cuts && stretch_cut(&s, &cut)) continue;
+      others = moved;
+      stretch_gains(scene, &s, sigma_t, &tau);
+    }
+    *radiance += stretch_radiance(scene, &s, result);
+  }
+  return tau;
+}
+
+// A medium that only weakens what is behind it needs no places for light, and nobody asks what the others do along it.
+// Random walks go the same way as ever.
+static inline int medium_only_absorbs(const Medium* medium) {
+  return !BRUME_ROULETTE && !PLACEMENT_IS(medium, COLLISIONS) &&
+         !(vec_max(vec_unpack(medium->sigma_s)) > 0.0f || vec_max(vec_unpack(medium->emission)) > 0.0f);
+}
+
+// All media along a view ray.
+OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 dir, float t_max, Random random) {
+  MediumResult result;
+  result.lookups = 0;
+  result.shadow_key = 0;
+  result.shadow_rays = 0;
+  float3 radiance = (float3)(0.0f);
+  Tau tau = (Tau)(0.0f);
+#if BRUME_MEDIA
+  for (int m = 0; m < MEDIA_END(scene); ++m) {
+    const Medium medium = scene->media[m];
+    tau += medium_only_absorbs(&medium) ? medium_tau(scene, m, origin, dir, t_max, random, &result.lookups)
+                                        : medium_scatter(scene, m, origin, dir, t_max, random, &radiance, &result);
+  }
+#endif
+  result.transmittance = vec_pack((float3)(1.0f) * exp(-tau));
+  result.radiance = vec_pack(radiance);
+  return result;
+}
+
+#endif

@@ -1,0 +1,49 @@
+// Reflected and refracted rays that a hit sends on [Whitted80].
+#ifndef BRUME_PATH_SEND_ON_CL
+#define BRUME_PATH_SEND_ON_CL
+#include "lib/rng.cl"
+#include "materials/surface.cl"
+
+// `heirs`: its share of those of the ray that it comes from, itself included.
+static inline void ray_send(const Ray* from, const Surface* surface, float3 dir, float3 weight, float heirs, uint seed,
+                            __global Ray* sent, SurfaceResult* result) {
+  if (!(vec_max(weight) > 0.0f)) return;
+  if (!(heirs >= 1.0f)) {
+    ++result->dropped_rays;
+    result->dropped_weight += vec_max(weight);
+    return;
+  }
+  Ray ray = *from;
+  const float3 unit = normalize(dir);
+  ray.dir = vec_pack(unit);
+  ray.origin = vec_pack(surface_leave(surface, unit));
+  ray.weight = vec_pack(weight);
+  ray.seed = seed;
+  ray.heirs = heirs - 1.0f;
+  ray.start = 0.0f;
+  sent[result->sent++] = ray;
+}
+
+// Where total reflection leaves no refracted ray, the reflected one takes its weight.
+static inline void rays_send(const Ray* ray, const Surface* surface, const Material* material, float3 weight,
+                             __global Ray* sent, SurfaceResult* result) {
+  float reflection = material->reflection, refraction = material->refraction;
+  const float3 n = surface->normal, d = vec_unpack(ray->dir);
+  const float cosine = -dot(n, d), both = reflection + refraction;
+  const Random random = ray_random(ray);
+  if (refraction > 0.0f) {
+    const float eta = surface->leaving ? material->ior : 1.0f / material->ior;
+    const float k = 1.0f - eta * eta * (1.0f - cosine * cosine);
+    if (k >= 0.0f) {
+      ray_send(ray, surface, eta * d + (eta * cosine - sqrt(k)) * n, weight * refraction,
+               ray->heirs * (refraction / both), random_stream(random, STREAM_REFRACT).seed, sent, result);
+    } else {
+      reflection = both;
+    }
+  }
+  if (reflection > 0.0f)
+    ray_send(ray, surface, d + 2.0f * cosine * n, weight * reflection, ray->heirs * (reflection / both),
+             random_stream(random, STREAM_REFLECT).seed, sent, result);
+}
+
+#endif

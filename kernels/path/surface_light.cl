@@ -1,0 +1,36 @@
+// What a surface sends towards the ray that hit it: its own light, and what it scatters of the lights that reach it.
+#ifndef BRUME_PATH_SURFACE_LIGHT_CL
+#define BRUME_PATH_SURFACE_LIGHT_CL
+#include "lights/lights.cl"
+#include "materials/material.cl"
+#include "media/tau.cl"
+
+// Adds the light of shadow ray n, from light l, unless it comes from behind or something blocks it.
+static inline float3 surface_light(const Scene* scene, const Surface* surface, const Material* material, float3 diffuse,
+                                   float3 to_viewer, LightPick pick, int n, Random random, SurfaceResult* result) {
+  const LightSample light = light_sample(scene, pick.light, surface->point, random);
+  const float3 to_light = -light.travel, from = surface_leave(surface, to_light);
+  if (!(dot(surface->normal, to_light) > 0.0f) || scene_occluded(scene, from, to_light, light.distance))
+    return (float3)(0.0f);
+  result->lit |= 1u << (pick.light & 31);
+  const float3 transmittance = media_transmittance(scene, from, to_light, light.distance,
+                                                   random_stream(random, STREAM_LIGHT + (uint)n), &result->lookups);
+  return pick.weight * light.irradiance * transmittance *
+         material_reflect(material, diffuse, surface->normal, to_light, to_viewer);
+}
+
+static inline float3 surface_lights(const Scene* scene, const Surface* surface, const Material* material,
+                                    float3 to_viewer, Random random, SurfaceResult* result) {
+  uint second;
+  const float3 diffuse = material_diffuse(scene, material, surface->uv, &result->second);
+  float3 sum = material_emission(scene, material, surface->uv, &second) +
+               vec_unpack(material->ambient) * vec_unpack(scene->frame->ambient);
+  result->second |= second;
+  const float xi = light_choice(random, 0);
+  for (int n = 0; n < scene->frame->light_picks; ++n)
+    sum += surface_light(scene, surface, material, diffuse, to_viewer, light_choose(scene, n, xi), n, random, result);
+  result->shadow_rays = (uint)scene->frame->light_picks;
+  return sum;
+}
+
+#endif

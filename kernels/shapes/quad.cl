@@ -1,0 +1,24 @@
+// Parallelogram.
+#ifndef BRUME_SHAPES_QUAD_CL
+#define BRUME_SHAPES_QUAD_CL
+#include "shapes/plane.cl"
+
+// Coordinates (s, t) within the parallelogram, along the axes of shared/shape.h.
+static inline float2 quad_coordinates(const Shape* shape, float3 point) {
+  const float3 from_corner = point - shape_vec(shape, 0);
+  return (float2)(dot(from_corner, shape_vec(shape, 6)), dot(from_corner, shape_vec(shape, 9)));
+}
+
+static inline float quad_hit(const Shape* shape, float3 origin, float3 dir) {
+  const float t = plane_hit(shape, origin, dir);
+  if (!(t < INFINITY)) return INFINITY;
+  const float2 st = quad_coordinates(shape, vec_point(origin, dir, t));
+  return st.x >= 0.0f && st.x <= 1.0f && st.y >= 0.0f && st.y <= 1.0f ? t : INFINITY;
+}
+
+static inline float3 quad_normal(const Shape* shape, float3 point, float2* uv) {
+  *uv = quad_coordinates(shape, point);
+  return shape_vec(shape, 3);
+}
+
+#endif

@@ -1,0 +1,35 @@
+// The buffers of a scene, in the order in which kernels take them. This is the only list: kernels/lib/scene.cl makes of
+// it the struct `Scene`, its arguments and how they are packed, host/render/device_scene.cpp what fills them. A new
+// buffer is a row.
+#ifndef BRUME_SHARED_SCENE_BUFFERS_H
+#define BRUME_SHARED_SCENE_BUFFERS_H
+#include "shared/platform.h"
+
+// ROW(address space, type of an element, name in kernels, kind, where the host finds it, what messages call it), NEXT
+// between them.
+//   FLAT    the same for every picture of a scene: a member of FlatScene
+//   PLAN    of one picture: a member of RenderPlan
+//   STORED  depends on render.storage
+//   JOINED  of the media of FlatScene and their walks in RenderPlan (medium_join)
+//   SCRATCH filled on the device
+#define BRUME_SCENE_BUFFERS(ROW, NEXT)                                                                    \
+  ROW(__constant, Frame, frame, PLAN, frame, "frame")                                                     \
+  NEXT ROW(__global, Light, lights, FLAT, lights, "lights") NEXT ROW(__global, float, light_shares, FLAT, \
+                                                                     light_shares, "light shares") NEXT   \
+  ROW(__global, Material, materials, FLAT, materials, "materials") NEXT                                   \
+  ROW(__global, Texture, textures, FLAT, textures, "textures") NEXT                                       \
+  ROW(__global, float, texels, FLAT, texels, "texture pixels") NEXT                                       \
+  ROW(__global, Shape, shapes, FLAT, shapes, "shapes") NEXT                                               \
+  ROW(__global, Triangle, triangles, FLAT, triangles, "triangles") NEXT                                   \
+  ROW(__global, float, bvh_nodes, FLAT, bvh_nodes, "BVH nodes") NEXT                                      \
+  ROW(__global, int, bvh_links, FLAT, bvh_links, "BVH links") NEXT                                        \
+  ROW(__global, float, bvh_blocks, FLAT, bvh_blocks, "BVH triangles") NEXT                                \
+  ROW(__global, int, bvh_ids, FLAT, bvh_ids, "BVH triangle numbers") NEXT                                 \
+  ROW(__global, Medium, media, JOINED, media, "media") NEXT                                               \
+  ROW(__global, int, bricks, FLAT, bricks, "brick index") NEXT                                            \
+  ROW(__global, float, ranges, STORED, brick_ranges, "brick ranges") NEXT                                 \
+  ROW(__global, Voxel, voxels, STORED, voxels, "voxels") NEXT                                             \
+  ROW(__global, LightGrid, light_grids, PLAN, light_grids, "light grids") NEXT                            \
+  ROW(__global, float, light_tau, SCRATCH, light_entries, "light grid depths")
+
+#endif

@@ -1,0 +1,125 @@
+// The dispatcher over methods: an iterator of segments with ∫ρ over each, and the optical depth of a whole ray.
+#ifndef BRUME_WALK_WALK_CL
+#define BRUME_WALK_WALK_CL
+#include "walk/dda_gauss2.cl"
+#include "walk/dda_midpoint.cl"
+#include "walk/dda_nearest.cl"
+#include "walk/homogeneous.cl"
+#include "walk/march.cl"
+#include "walk/tracking.cl"
+
+// True for the method, placement or rule of this medium; folds to a constant when the scene uses one only, and code for
+// those that it does not use falls away.
+#define METHOD_IS(medium, id) \
+  (USES_METHOD(id) && ((BRUME_METHODS_USED) == (1 << METHOD_##id) || (medium)->method == METHOD_##id))
+#define PLACEMENT_IS(medium, id)                \
+  (((PLACEMENTS_USED >> PLACEMENT_##id) & 1) && \
+   (PLACEMENTS_USED == (1 << PLACEMENT_##id) || method_placement((medium)->method) == PLACEMENT_##id))
+#define RULE_IS(medium, id) \
+  (((RULES_USED >> RULE_##id) & 1) && (RULES_USED == (1 << RULE_##id) || method_rule((medium)->method) == RULE_##id))
+
+#define WALKED_IS(medium, id)                     \
+  (((PLACEMENTS_WALKED >> PLACEMENT_##id) & 1) && \
+   (PLACEMENTS_WALKED == (1 << PLACEMENT_##id) || method_placement((medium)->method) == PLACEMENT_##id))
+
+typedef struct {
+  Dda dda;
+  Steps steps;
+#if BRUME_TRACKING
+  Track track;
+#endif
+} Walk;
+
+// only_tau: nobody asks for light along the way.
+static inline Walk walk_begin(const Medium* medium, const MediumRay* ray, Random random, int only_tau) {
+  Walk w;
+  if (!PLACEMENT_IS(medium, STEPS)) w.dda = dda_begin(medium, ray, 0.0f);
+  w.steps = steps_begin(medium, ray, random, method_share(medium->method), method_jitter(medium->method));
+#if BRUME_TRACKING
+  w.track = track_begin(medium, random, METHOD_IS(medium, RESIDUAL_RATIO), only_tau);
+#endif
+  return w;
+}
+
+// The part of a walk that covers [from, until] of s: steps stay as they are along the whole ray, cells are cut.
+static inline Walk walk_within(const Medium* medium, const MediumRay* ray, Random random, float from, float until) {
+  Walk w;
+  if (WALKED_IS(medium, STEPS)) {
+    w.steps = steps_begin(medium, ray, random, method_share(medium->method), method_jitter(medium->method));
+    w.steps.next = min((int)(from / w.steps.size), w.steps.count);
+    w.steps.count = min((int)ceil(until / w.steps.size), w.steps.count);
+  } else {
+    w.dda = dda_begin(medium, ray, from);
+    w.dda.end = until;
+  }
+  return w;
+}
+
+// The next up to W segments of a medium that is not constant.
+static inline void walk_next_stored(const Scene* scene, const Medium* medium, const MediumRay* ray, Walk* w,
+                                    Segments* out) {
+  if (WALKED_IS(medium, STEPS)) {
+    steps_fill(scene, medium, ray, &w->steps, out);
+#if BRUME_TRACKING
+  } else if (WALKED_IS(medium, COLLISIONS)) {
+    track_fill(scene, medium, &w->dda, &w->track, out);
+#endif
+  } else {
+    cells_fill(scene, medium, ray, &w->dda, out);
+  }
+}
+
+// The next up to W segments in order along the ray; count 0 at the end.
+static inline void walk_next(const Scene* scene, const Medium* medium, const MediumRay* ray, Walk* w, Segments* out) {
+  if (RULE_IS(medium, PRODUCT))
+    homogeneous_fill(&w->steps, out);
+  else
+    walk_next_stored(scene, medium, ray, w, out);
+}
+
+// ∫ρ over each of the segments, in world length. A rule without its function does not compile.
+static inline floatW walk_integral(const Scene* scene, const Medium* medium, const MediumRay* ray, const Segments* at) {
+#define RULE(id, function, lookups) \
+  if (RULE_IS(medium, id)) return function##_integral(medium, scene->voxels, ray, at);
+  BRUME_RULES(RULE)
+#undef RULE
+  return (floatW)(0.0f);
+}
+
+static inline uint walk_lookups(const Medium* medium, const Segments* at) {
+#define RULE(id, function, lookups) \
+  if (RULE_IS(medium, id)) return (uint)at->count * (lookups);
+  BRUME_RULES(RULE)
+#undef RULE
+  return 0;
+}
+
+#if BRUME_RANDOM
+// What names the random numbers of segment i.
+static inline uint walk_id(const Medium* medium, const Segments* at, int i) {
+  if (!PLACEMENT_IS(medium, CELLS)) return at->id[i];
+  return ((uint)(int)at->x[i] * 0x8DA6B343u) ^ ((uint)(int)at->y[i] * 0xD8163841u) ^
+         ((uint)(int)at->z[i] * 0xCB1AB31Fu);
+}
+#else
+#define walk_id(medium, at, i) 0
+#endif
+
+// ∫ρ over the whole stretch, not for trackers; the rest is left out once it is black by an extinction of `sigma`.
+static inline float walk_total(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random,
+                               float sigma, uint* lookups) {
+  if (!(ray->length > 0.0f)) return 0.0f;
+  if (RULE_IS(medium, PRODUCT)) return homogeneous_total(medium, ray);
+  Walk walk = walk_begin(medium, ray, random, 1);
+  Segments at;
+  float total = 0.0f;
+  while (total * sigma < TAU_STOP) {  // one call of walk_next: every call site is compiled anew
+    walk_next_stored(scene, medium, ray, &walk, &at);
+    if (at.count == 0) break;
+    total += lanes_sum(walk_integral(scene, medium, ray, &at));
+    *lookups += walk_lookups(medium, &at);
+  }
+  return total;
+}
+
+#endif

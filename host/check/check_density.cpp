@@ -52,7 +52,7 @@ Points points_make(const Medium& m, int items) {
   return out;
 }
 
-CheckCompare points_prepare(std::shared_ptr<const PlannedScene> scene, int size) {
+CheckCompare points_prepare(const std::shared_ptr<const PlannedScene>& scene, int size) {
   const Medium m = scene->medium(0);
   auto points = std::make_shared<const Points>(points_make(m, size * size / PROBE_POINTS + 1));
   return [scene, m, points](Context& context, int lanes, ErrorSum& sum) {

@@ -183,11 +183,13 @@ FilmPart film_part_read(const std::filesystem::path& file) {
 }
 
 void film_parts_match(const std::string& source, const ImageMetadata& metadata, const FilmPart& part) {
+  const auto refuse = [&](const std::string& key, const std::string& wanted) {
+    throw InputError(part.source + ": is no part of the picture of " + source + ": brume:" + key + " is " +
+                     part.value(key) + " and not " + wanted);
+  };
   for (const std::string& key : part_keys()) {
     const std::string* wanted = metadata_find(metadata, key);
-    if (wanted && *wanted != part.value(key))
-      throw InputError(part.source + ": is no part of the picture of " + source + ": brume:" + key + " is " +
-                       part.value(key) + " and not " + *wanted);
+    if (wanted && *wanted != part.value(key)) refuse(key, *wanted);
   }
 }
 

@@ -58,7 +58,8 @@ Brick brick_cut(const Grid& grid, ivec3 b, int pad) {
   for (int z = 0; z < read; ++z)
     for (int y = 0; y < read; ++y)
       for (int x = 0; x < read; ++x) {
-        const float value = brick.samples[static_cast<std::size_t>((z * BRICK_SAMPLES + y) * BRICK_SAMPLES + x)];
+        const float value =
+            brick.samples[(std::size_t(z) * BRICK_SAMPLES + std::size_t(y)) * BRICK_SAMPLES + std::size_t(x)];
         brick.min = std::min(brick.min, value);
         brick.max = std::max(brick.max, value);
       }

@@ -1,5 +1,7 @@
 // Media: where the grid of each lies, its coefficients.
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -112,7 +114,13 @@ int density_place(const FlatDensity& density, const LoadedMedium& loaded, FlatSc
                           m.interpolation,
                           m.region,
                           m.constant_density};
-  const auto same = [&](const PlacedGrid& other) { return std::memcmp(&other, &placed, sizeof placed) == 0; };
+  using Words = std::array<std::uint32_t, sizeof(PlacedGrid) / sizeof(std::uint32_t)>;
+  const auto words = [](const PlacedGrid& grid) {
+    Words bits;
+    std::memcpy(bits.data(), &grid, sizeof bits);
+    return bits;
+  };
+  const auto same = [&, own = words(placed)](const PlacedGrid& other) { return words(other) == own; };
   const auto known = std::find_if(scene.placed.begin(), scene.placed.end(), same);
   if (known != scene.placed.end()) return static_cast<int>(known - scene.placed.begin());
   scene.placed.push_back(placed);

@@ -31,7 +31,7 @@ void CL_CALLBACK give_back(cl_mem, void* data) {
 void count(cl::Buffer& buffer, const std::shared_ptr<std::atomic<std::size_t>>& allocated, std::size_t bytes) {
   auto lent = std::make_unique<Lent>(Lent{allocated, bytes});
   buffer.setDestructorCallback(give_back, lent.get());
-  lent.release();  // now the driver's, to be handed to give_back
+  (void)lent.release();  // now the driver's, to be handed to give_back
   *allocated += bytes;
 }
 

@@ -212,8 +212,8 @@ std::int32_t Cutter::brick_cut_entry(ivec3 b) {
   const std::size_t hash = hash_of(brick.samples);
   const auto [begin, end] = same_.equal_range(hash);
   for (auto i = begin; i != end; ++i)
-    if (std::memcmp(&scene_.voxels[static_cast<std::size_t>(i->second) * BRICK_VALUES], brick.samples.data(),
-                    sizeof brick.samples) == 0)
+    if (std::equal(brick.samples.begin(), brick.samples.end(),
+                   &scene_.voxels[static_cast<std::size_t>(i->second) * BRICK_VALUES]))
       return i->second;
   return same_.emplace(hash, store(brick))->second;
 }
@@ -254,7 +254,8 @@ void Cutter::occupied_add(const Brick& brick, ivec3 first) {
   for (int z = 0; z < read_; ++z)
     for (int y = 0; y < read_; ++y)
       for (int x = 0; x < read_; ++x) {
-        if (brick.samples[static_cast<std::size_t>((z * BRICK_SAMPLES + y) * BRICK_SAMPLES + x)] == 0) continue;
+        if (brick.samples[(std::size_t(z) * BRICK_SAMPLES + std::size_t(y)) * BRICK_SAMPLES + std::size_t(x)] == 0)
+          continue;
         const ivec3 sample = first + ivec3(x, y, z);
         occupied_.add(sample, sample + 1, pad_);
       }

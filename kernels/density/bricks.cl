@@ -35,6 +35,17 @@ static inline float2 brick_scale(const Scene* scene, int number) {
   const float2 range = vload2(number, scene->ranges);
   return (float2)(range.x, (range.y - range.x) / 255.0f);
 }
+
+// The same of W bricks: zero and part.
+static inline void brick_scales(const Scene* scene, intW number, float* zero, float* part) {
+  int its[W];
+  lanes_store(number, its);
+  for (int i = 0; i < W; ++i) {
+    const float2 scale = brick_scale(scene, its[i]);
+    zero[i] = scale.x;
+    part[i] = scale.y;
+  }
+}
 #endif
 
 #endif

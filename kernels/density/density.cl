@@ -1,6 +1,5 @@
-// Density at W points, each anywhere: of different rays, of a gradient, of an iso-surface. Each finds its own brick;
-// a walk along one
-// ray knows the bricks from its steps and looks up by density/medium.cl.
+// Density at W points, each anywhere: of different rays, of a gradient, of an iso-surface. Each finds its own brick; a
+// walk along one ray knows the bricks from its steps and looks up by density/medium.cl.
 #ifndef BRUME_DENSITY_DENSITY_CL
 #define BRUME_DENSITY_DENSITY_CL
 #include "density/bricks.cl"
@@ -39,14 +38,8 @@ static inline floatW density_at(const Scene* scene, const Medium* medium, floatW
   else
     density = lookup_blend(scene->voxels, &l);
 #if BRUME_STORAGE == 2
-  int its[W];
   float zero[W], part[W];
-  lanes_store(number, its);
-  for (int i = 0; i < W; ++i) {
-    const float2 scale = brick_scale(scene, its[i]);
-    zero[i] = scale.x;
-    part[i] = scale.y;
-  }
+  brick_scales(scene, number, zero, part);
   density = mad_exact(density, lanes_load(part), lanes_load(zero));
 #endif
   return lanes_select((floatW)(0.0f), density, used);

@@ -1,7 +1,6 @@
-// The first two dimensions of Sobol's sequence [Sobol67], scrambled [Owen95] by a hash [Burley20]
-// [Vegdahl21]. Every number
-// has its bits reversed, lowest bit first behind the binary point: a hash can then only carry towards finer digits, and
-// both dimensions begin with the index as it is.
+// The first two dimensions of Sobol's sequence [Sobol67], scrambled [Owen95] by a hash [Burley20] [Vegdahl21]. Every
+// number has its bits reversed, lowest bit first behind the binary point: a hash can then only carry towards finer
+// digits, and both dimensions begin with the index as it is.
 #ifndef BRUME_LIB_SOBOL_CL
 #define BRUME_LIB_SOBOL_CL
 
@@ -13,9 +12,8 @@ static inline uint bits_reverse(uint x) {
   return (x >> 16) | (x << 16);
 }
 
-// Point `index` in dimension 1. Digit r is the sum modulo 2 of the bits k of the index for which C(k, r) is
-// odd: by Lucas'
-// theorem those whose k has every bit of r, so one step for each bit of k sums them all.
+// Point `index` in dimension 1. Digit r is the sum modulo 2 of the bits k of the index for which C(k, r) is odd: by
+// Lucas' theorem those whose k has every bit of r, so one step for each bit of k sums them all.
 static inline uint sobol_reversed(uint index) {
   uint x = index;
   x ^= (x >> 1) & 0x55555555u;
@@ -25,8 +23,8 @@ static inline uint sobol_reversed(uint index) {
   return x ^ (x >> 16);
 }
 
-// Flips each digit by a hash of the seed and the digits before it: a product with an even number reaches
-// only later ones.
+// Flips each digit by a hash of the seed and the digits before it: a product with an even number reaches only later
+// ones.
 static inline uint owen_scramble_reversed(uint x, uint seed) {
   x ^= x * 0x3D20ADEAu;
   x += seed;

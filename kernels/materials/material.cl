@@ -43,22 +43,13 @@ static inline float3 texture_lookup(const Scene* scene, int index, float2 uv, ui
   return vec_unpack(*second ? t.color_b : t.color_a);
 }
 
-static inline float3 material_diffuse(const Scene* scene, const Material* m, float2 uv, uint* second) {
+// A color of a material times its texture, -1 for none; *second as above.
+static inline float3 texture_times(const Scene* scene, Packed3 color, int texture, float2 uv, uint* second) {
   *second = 0;
-  float3 diffuse = vec_unpack(m->diffuse);
 #if BRUME_TEXTURED
-  if (m->texture >= 0) diffuse *= texture_lookup(scene, m->texture, uv, second);
+  if (texture >= 0) return vec_unpack(color) * texture_lookup(scene, texture, uv, second);
 #endif
-  return diffuse;
-}
-
-static inline float3 material_emission(const Scene* scene, const Material* m, float2 uv, uint* second) {
-  *second = 0;
-  float3 emission = vec_unpack(m->emission);
-#if BRUME_TEXTURED
-  if (m->emission_texture >= 0) emission *= texture_lookup(scene, m->emission_texture, uv, second);
-#endif
-  return emission;
+  return vec_unpack(color);
 }
 
 // Radiance towards the viewer per irradiance E, for light that arrives along -to_light (N·L > 0 is the caller's to

@@ -159,7 +159,7 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
 
 // A medium that only weakens what is behind it needs no places for light, and nobody asks what the others do along it.
 // Random walks go the same way as ever.
-static inline int medium_only_absorbs(const Medium* medium) {
+static inline int medium_only_absorbs(__global const Medium* medium) {
   return !BRUME_ROULETTE && !PLACEMENT_IS(medium, COLLISIONS) &&
          !(vec_max(vec_unpack(medium->sigma_s)) > 0.0f || vec_max(vec_unpack(medium->emission)) > 0.0f);
 }
@@ -174,9 +174,9 @@ OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 di
   Tau tau = (Tau)(0.0f);
 #if BRUME_MEDIA
   for (int m = 0; m < MEDIA_END(scene); ++m) {
-    const Medium medium = scene->media[m];
-    tau += medium_only_absorbs(&medium) ? medium_tau(scene, m, origin, dir, t_max, random, &result.lookups)
-                                        : medium_scatter(scene, m, origin, dir, t_max, random, &radiance, &result);
+    tau += medium_only_absorbs(scene->media + m)
+               ? medium_tau(scene, m, origin, dir, t_max, random, &result.lookups)
+               : medium_scatter(scene, m, origin, dir, t_max, random, &radiance, &result);
   }
 #endif
   result.transmittance = vec_pack((float3)(1.0f) * exp(-tau));

@@ -64,8 +64,8 @@ __kernel void shade(SCENE_ARGS, uint wave, uint count, __global const Ray* rays,
   Sample sample = samples[item];
   if (wave == 0) sample = sample_begin(item);
   uint total = 0;
-  float3 sum = vec_unpack(sample.radiance),
-         lost = (float3)(0.0f);  // of thousands of rays rounding would be seen [Kahan65]
+  // What rounding takes is put back: of thousands of rays it would be seen [Kahan65].
+  float3 sum = vec_unpack(sample.radiance), lost = (float3)(0.0f);
   for (uint i = sample.first_ray; i < sample.first_ray + sample.rays; ++i) {
     const Ray ray = rays[i];
     const Hit hit = hits[i];

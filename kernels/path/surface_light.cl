@@ -5,7 +5,7 @@
 #include "materials/material.cl"
 #include "media/tau.cl"
 
-// Adds the light of shadow ray n, from light l, unless it comes from behind or something blocks it.
+// What it scatters of the light of shadow ray n; none where that comes from behind or something blocks it.
 static inline float3 surface_light(const Scene* scene, const Surface* surface, const Material* material, float3 diffuse,
                                    float3 to_viewer, LightPick pick, int n, Random random, SurfaceResult* result) {
   const LightSample light = light_sample(scene, pick.light, surface->point, random);
@@ -22,8 +22,8 @@ static inline float3 surface_light(const Scene* scene, const Surface* surface, c
 static inline float3 surface_lights(const Scene* scene, const Surface* surface, const Material* material,
                                     float3 to_viewer, Random random, SurfaceResult* result) {
   uint second;
-  const float3 diffuse = material_diffuse(scene, material, surface->uv, &result->second);
-  float3 sum = material_emission(scene, material, surface->uv, &second) +
+  const float3 diffuse = texture_times(scene, material->diffuse, material->texture, surface->uv, &result->second);
+  float3 sum = texture_times(scene, material->emission, material->emission_texture, surface->uv, &second) +
                vec_unpack(material->ambient) * vec_unpack(scene->frame->ambient);
   result->second |= second;
   const float xi = light_choice(random, 0);

@@ -80,13 +80,7 @@ static inline void steps_fill(const Scene* scene, const Medium* medium, const Me
     lanes_store(bz * BRICK_CELLS, out->z);
     out->count = (int)lanes_sum(lanes_select((floatW)(0.0f), (floatW)(1.0f), used));
 #if BRUME_STORAGE == 2
-    int its[W];
-    lanes_store(brick, its);
-    for (int i = 0; i < W; ++i) {
-      const float2 scale = brick_scale(scene, its[i]);
-      out->zero[i] = scale.x;
-      out->part[i] = scale.y;
-    }
+    brick_scales(scene, brick, out->zero, out->part);
 #endif
 #if BRUME_RANDOM
     for (int i = 0; i < W; ++i) out->id[i] = (uint)(s->next + i);

@@ -82,7 +82,7 @@ PlannedScene scattered_scene(int interpolation, int storage) {
   Medium m = scene.medium(0);
   m.interpolation = scene.placed[0].interpolation = interpolation;
   bricks_append(grid, m, scene);
-  scene.grids[0] = {m.brick_offset, m.cells_x, m.cells_y, m.cells_z, m.brick_nx, m.brick_ny, m.brick_nz};
+  scene.grids[0] = brick_grid_of(m);
   scene.placed[0].lo = m.lo;
   scene.placed[0].hi = m.hi;
   scene.storage = storage;

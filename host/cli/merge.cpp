@@ -26,10 +26,6 @@ struct MergeArguments {
   std::optional<double> exposure;
 };
 
-std::string pixel_text(std::size_t pixel, int width) {
-  return std::to_string(pixel % std::size_t(width)) + "," + std::to_string(pixel / std::size_t(width));
-}
-
 struct Merged {
   FilmPart whole;                                           // of all parts so far
   std::vector<std::pair<std::string, SampleCover>> covers;  // of each of them, to name the one that overlaps
@@ -70,8 +66,8 @@ FilmPart part_read(const std::filesystem::path& file) {
 }
 
 FilmPart merge(const std::vector<std::filesystem::path>& files) {
-  FilmPart first = part_read(files.front());
-  Merged merged{first, {{first.source, first.cover}}};
+  Merged merged{part_read(files.front()), {}};
+  merged.covers.emplace_back(merged.whole.source, merged.whole.cover);
   for (std::size_t i = 1; i < files.size(); ++i) merged.add(part_read(files[i]));
   return std::move(merged.whole);
 }

@@ -62,10 +62,9 @@ class Channel {
   std::uint32_t whole_at(std::size_t pixel, float end) const {
     const float value = at(pixel);
     if (!(value >= 0 && value < end) || value != std::floor(value)) {
-      const std::size_t width = std::size_t(image_.width);
-      fail(image_.source, "damaged: '" + name_ + "' of pixel " + std::to_string(pixel % width) + "," +
-                              std::to_string(pixel / width) + " is " + std::to_string(value) +
-                              ", not a whole number below " + std::to_string(std::uint32_t(end)));
+      fail(image_.source, "damaged: '" + name_ + "' of pixel " + pixel_text(pixel, image_.width) + " is " +
+                              std::to_string(value) + ", not a whole number below " +
+                              std::to_string(std::uint32_t(end)));
     }
     return static_cast<std::uint32_t>(value);
   }
@@ -97,8 +96,7 @@ void read_cover(const Image& image, int spp, SampleCover& cover) {
     for (std::size_t i = 0; i < pixel_count(image); ++i) {
       const SampleRange range{first.whole_at(i, WHOLE_MAX), count.whole_at(i, WHOLE_MAX)};
       if (range.end() > std::uint32_t(spp) || cover.held(i, range))
-        fail(image.source, "damaged: pixel " + std::to_string(i % std::size_t(image.width)) + "," +
-                               std::to_string(i / std::size_t(image.width)) + " holds samples " +
+        fail(image.source, "damaged: pixel " + pixel_text(i, image.width) + " holds samples " +
                                std::to_string(range.first) + "-" + std::to_string(range.end() - 1) +
                                " twice or beyond the " + std::to_string(spp) + " of the picture");
       cover.add(i, range);
@@ -113,9 +111,8 @@ void check_counts(const FilmPart& part) {
     for (const SampleRange& range : part.cover.of(i)) held += range.count;
     const FilmPixel& pixel = part.film.pixels()[i];
     if (double(pixel.samples) + double(pixel.invalid) == held) continue;
-    const std::size_t width = std::size_t(part.film.size().x);
-    fail(part.source, "damaged: pixel " + std::to_string(i % width) + "," + std::to_string(i / width) + " holds " +
-                          std::to_string(held) + " samples, its sums are those of " +
+    fail(part.source, "damaged: pixel " + pixel_text(i, part.film.size().x) + " holds " + std::to_string(held) +
+                          " samples, its sums are those of " +
                           std::to_string(double(pixel.samples) + double(pixel.invalid)));
   }
 }
@@ -134,6 +131,10 @@ int whole_number(const FilmPart& part, const std::string& key) {
 const std::vector<std::string>& part_keys() {
   static const std::vector<std::string> keys = {"version", "size", "spp", "seed", "scene_hash"};
   return keys;
+}
+
+std::string pixel_text(std::size_t pixel, int width) {
+  return std::to_string(pixel % std::size_t(width)) + "," + std::to_string(pixel / std::size_t(width));
 }
 
 const std::string& FilmPart::value(const std::string& key) const {

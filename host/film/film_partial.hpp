@@ -44,6 +44,9 @@ class SampleCover {
 // seed, scene_hash; "brume:" stands before them in a file.
 const std::vector<std::string>& part_keys();
 
+// "x,y" of pixel number `pixel` of a film of this width, for messages.
+std::string pixel_text(std::size_t pixel, int width);
+
 struct FilmPart {
   std::string source;      // the file, for messages
   ImageMetadata metadata;  // without the "brume:"

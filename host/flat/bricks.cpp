@@ -270,6 +270,10 @@ void Cutter::region_cut() {
 
 }  // namespace
 
+BrickGrid brick_grid_of(const Medium& m) {
+  return {m.brick_offset, m.cells_x, m.cells_y, m.cells_z, m.brick_nx, m.brick_ny, m.brick_nz};
+}
+
 void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene) {
   Cutter(grid, medium, scene).run([](int) {});
 }

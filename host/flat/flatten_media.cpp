@@ -92,8 +92,7 @@ FlatDensity density_flatten(const LoadedMedium& loaded, bool needed_again, FlatS
     else
       bricks_append(*loaded.grid, medium, scene);
     density.grid = static_cast<int>(scene.grids.size());
-    scene.grids.push_back({medium.brick_offset, medium.cells_x, medium.cells_y, medium.cells_z, medium.brick_nx,
-                           medium.brick_ny, medium.brick_nz});
+    scene.grids.push_back(brick_grid_of(medium));
   }
   density.unit = densities_scale(medium, first_voxel, scene);
   density.largest = density_max(medium, first_voxel, scene);

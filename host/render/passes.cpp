@@ -185,7 +185,8 @@ cl_uint Passes::next_wave(cl_uint samples) {
   if (samples > 0)
     context_.queue().enqueueReadBuffer(sample_sent_, CL_TRUE, 0, samples * sizeof(cl_uint), sent_counts_.data());
   for (cl_uint& count : sent_counts_) rays += std::exchange(count, static_cast<cl_uint>(rays));
-  if (rays > wave_rays_ || (rays == 0 && samples > 0)) return static_cast<cl_uint>(std::min(rays, wave_rays_ + 1));
+  if (rays > wave_rays_) return static_cast<cl_uint>(wave_rays_ + 1);
+  if (samples > 0 && rays == 0) return 0;
   if (samples > 0)
     context_.queue().enqueueWriteBuffer(sample_first_, CL_FALSE, 0, samples * sizeof(cl_uint), sent_counts_.data());
   enqueue(SECONDARY_RAYS, samples, samples, hits_, surfaces_, sent_, sample_first_, samples_, rays_);

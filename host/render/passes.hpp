@@ -58,7 +58,7 @@ class Passes {
   void enqueue(Id id, std::size_t items, const Values&... values);
   void enqueue_wave(cl_uint entries, cl_uint samples, cl_uint wave, cl_uint rays);
   bool enqueue_waves(cl_uint entries, cl_uint samples);
-  cl_uint next_wave(cl_uint samples);  // rays of the next wave; 0: none
+  cl_uint next_wave(cl_uint samples);  // rays of the next wave; 0: none, above wave_rays_: more than there is room for
   void finish();                       // waits for what is enqueued and adds its times to the statistics
   void fill_light_grid(const LightGridWork& grid, double& done, bool& stopped,
                        const std::function<bool(double)>& go_on);

@@ -27,6 +27,7 @@ typedef int intW;
 #define lanes_to_float(v) ((float)(v))
 #define lanes_select(when_false, when_true, condition) ((condition) ? (when_true) : (when_false))
 #define lanes_any(condition) (condition)
+#define lanes_all(condition) (condition)
 #define lanes_sum(v) (v)
 #define lanes_iota() (0.0f)
 #define lanes_before(v) (0.0f)
@@ -44,6 +45,7 @@ typedef LANES_GLUE(int, BRUME_LANES) intW;
 #define lanes_to_float(v) LANES_GLUE(convert_float, BRUME_LANES)(v)
 #define lanes_select(when_false, when_true, condition) select(when_false, when_true, condition)
 #define lanes_any(condition) any(condition)
+#define lanes_all(condition) all(condition)
 #define lanes_first(v) ((v).s0)
 #endif
 
@@ -144,16 +146,26 @@ static inline intW lanes_gather_int(__global const int* p, intW o) {
 
 // 1 - exp(-x) for x >= 0, within 3 ulp: below 1/2 its series, where the difference would cancel; a third of the time of
 // expm1.
+#define EXP_TERM(type, sum, x, factorial) mad_exact(sum, x, (type)(1.0f / (factorial)))
+#define ONE_MINUS_EXP(name, type)                                                                \
+  static inline type name(type x) {                                                              \
+    type sum = EXP_TERM(type, EXP_TERM(type, (type)(-1.0f / 40320.0f), x, 5040.0f), x, -720.0f); \
+    sum = EXP_TERM(type, EXP_TERM(type, EXP_TERM(type, sum, x, 120.0f), x, -24.0f), x, 6.0f);    \
+    return mad_exact(mad_exact(sum, x, (type)(-0.5f)), x, (type)(1.0f)) * x;                     \
+  }
+ONE_MINUS_EXP(one_minus_exp_series, float)
+#if W == 1
+#define lanes_one_minus_exp_series one_minus_exp_series
+#else
+ONE_MINUS_EXP(lanes_one_minus_exp_series, floatW)
+#endif
+
+static inline float one_minus_exp(float x) { return x < 0.5f ? one_minus_exp_series(x) : 1.0f - exp(-x); }
+
 static inline floatW lanes_one_minus_exp(floatW x) {
-  floatW series = (floatW)(-1.0f / 40320.0f);
-  series = mad_exact(series, x, (floatW)(1.0f / 5040.0f));
-  series = mad_exact(series, x, (floatW)(-1.0f / 720.0f));
-  series = mad_exact(series, x, (floatW)(1.0f / 120.0f));
-  series = mad_exact(series, x, (floatW)(-1.0f / 24.0f));
-  series = mad_exact(series, x, (floatW)(1.0f / 6.0f));
-  series = mad_exact(series, x, (floatW)(-0.5f));
-  series = mad_exact(series, x, (floatW)(1.0f)) * x;
-  return lanes_select(1.0f - exp(-x), series, x < 0.5f);
+  const intW thin = x < (floatW)(0.5f);
+  const floatW series = lanes_one_minus_exp_series(x);
+  return lanes_all(thin) ? series : lanes_select(1.0f - exp(-x), series, thin);
 }
 
 // (1 - exp(-x)) / x for x >= 0, 1 at 0: the mean of exp(-t) over t in [0, x].

@@ -21,7 +21,7 @@ static inline floatW lanes_light_mean(floatW begin, floatW end, floatW depth) {
   return exp(-nearer) * lanes_mean_exp(span) / lanes_mean_exp(depth);
 }
 
-static inline float mean_exp(float x) { return x < 1e-4f ? 1.0f - 0.5f * x : -expm1(-x) / x; }
+static inline float mean_exp(float x) { return x < 1e-4f ? 1.0f - 0.5f * x : one_minus_exp(x) / x; }
 
 static inline float light_mean(float begin, float end, float depth) {
   const float last = fmin(depth + end, TAU_FINITE), first = fmin(begin, TAU_FINITE);

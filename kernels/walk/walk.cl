@@ -111,6 +111,7 @@ static inline float walk_total(const Scene* scene, const Medium* medium, const M
   if (!(ray->length > 0.0f)) return 0.0f;
   if (RULE_IS(medium, PRODUCT)) return homogeneous_total(medium, ray);
   Walk walk = walk_begin(medium, ray, random, 1);
+  if (WALKED_IS(medium, STEPS)) return steps_total(scene, medium, ray, &walk.steps, sigma, lookups);
   Segments at;
   float total = 0.0f;
   while (total * sigma < TAU_STOP) {  // one call of walk_next: every call site is compiled anew

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Holds the includes of host/ and kernels/ against the rooms of ARCHITECTURE: who may include whom, and which extension
-may be included from where. Usage: check_includes.py [ROOT]; prints "file:line: what is wrong", exit 1 when anything is."""
+may be included from where; and the folders of tests/unit, which are rooms of host/. Usage: check_includes.py [ROOT]; prints "file:line: what is wrong", exit 1 when anything is."""
 import re
 import sys
 from pathlib import Path
@@ -105,12 +105,21 @@ def file_errors(root, path):
                 yield number, f"{match[2]}: {error}"
 
 
+def unit_test_errors(root, path):
+    """A unit test lies in the folder of the room that it tests."""
+    room = path.parts[2] if len(path.parts) > 3 else ""
+    if room not in filter(None, HOST):
+        yield 1, f"{path.parent} is no room of host/"
+    elif path.suffix == ".cpp" and not re.search(rf'#include "(unit/)?{room}/', (root / path).read_text(encoding="utf-8")):
+        yield 1, f"includes nothing of {room}: a unit test lies with the room that it tests"
+
+
 def tree_errors(root):
-    for folder in ("host", "kernels"):
+    for folder, errors in (("host", file_errors), ("kernels", file_errors), ("tests/unit", unit_test_errors)):
         for file in sorted((root / folder).rglob("*")):
             path = file.relative_to(root)
             if file.is_file():
-                for number, error in file_errors(root, path):
+                for number, error in errors(root, path):
                     yield f"{path}:{number}: {error}"
 
 

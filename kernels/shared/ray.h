@@ -67,7 +67,7 @@ BRUME_LAYOUT(SurfaceResult, 52);
 // One sample as it grows, ready to be summed into its pixel after its last ray.
 typedef struct {
   Packed3 radiance;
-  uint key;               // see ARCHITECTURE, Keys
+  uint key;               // see PICTURE, Keys
   Packed3 normal;         // of the camera ray's hit: shading normal, 0 for a miss
   float depth;            // from the camera to that hit, 0 for a miss
   Packed3 transmittance;  // of the media before it

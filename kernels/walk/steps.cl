@@ -15,7 +15,7 @@ typedef struct {
 #endif
 } Steps;
 
-// n = ceil(length / step - 1/1024): the step is renormalised to length / n (ARCHITECTURE, Media).
+// n = ceil(length / step - 1/1024): the step is renormalised to length / n (PICTURE, Segments).
 static inline Steps steps_begin(const Medium* medium, const MediumRay* ray, Random random, float share, float jitter) {
   Steps s;
   s.share = share;

@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "film/film.hpp"
-#include "flat/render_plan.hpp"
+#include "plan/render_plan.hpp"
 #include "reference/scatter.hpp"
 
 namespace brume::reference {

@@ -8,8 +8,8 @@
 #include <map>
 
 #include "flat/bricks.hpp"
-#include "flat/flatten.hpp"
 #include "flat/flatten_parts.hpp"
+#include "plan/planned_scene.hpp"
 #include "volume/density_source.hpp"
 #include "volume/grid.hpp"
 

@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "flat/bare_scene.hpp"
 #include "flat/densest_view.hpp"
-#include "flat/flatten.hpp"
+#include "plan/planned_scene.hpp"
 #include "unit/vdb/vdb_fixture.hpp"
 
 using namespace brume;

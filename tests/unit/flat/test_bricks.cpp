@@ -8,8 +8,8 @@
 #include <random>
 #include <set>
 
-#include "flat/flatten.hpp"
 #include "flat/flatten_parts.hpp"
+#include "plan/planned_scene.hpp"
 #include "unit/flat/brick_definition.hpp"
 #include "unit/vdb/vdb_fixture.hpp"
 #include "volume/density_source.hpp"

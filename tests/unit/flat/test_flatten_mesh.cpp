@@ -1,5 +1,6 @@
 // Meshes in the flat scene: what stands far from the origin keeps its detail, and what is told is told once.
-#include "flat/flatten.hpp"
+#include "flat/flat_scene.hpp"
+#include "plan/planned_scene.hpp"
 #include "scene/scene_reader.hpp"
 #include "unit/mesh/obj_fixture.hpp"
 

@@ -1,5 +1,5 @@
 // Which media share the bricks of a grid.
-#include "flat/flatten.hpp"
+#include "plan/planned_scene.hpp"
 #include "unit/flat/brick_definition.hpp"
 
 namespace brume {

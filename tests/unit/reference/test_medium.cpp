@@ -5,7 +5,7 @@
 
 #include "reference/medium.hpp"
 #include "reference/quadrature.hpp"
-#include "unit/flat/flat_scene_builder.hpp"
+#include "unit/plan/flat_scene_builder.hpp"
 
 namespace brume::reference {
 namespace {

@@ -6,7 +6,7 @@
 #include "reference/light.hpp"
 #include "reference/phase.hpp"
 #include "reference/quadrature.hpp"
-#include "unit/flat/flat_scene_builder.hpp"
+#include "unit/plan/flat_scene_builder.hpp"
 
 namespace brume::reference {
 namespace {

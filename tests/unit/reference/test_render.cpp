@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "reference/phase.hpp"
 #include "reference/render.hpp"
-#include "unit/flat/flat_scene_builder.hpp"
+#include "unit/plan/flat_scene_builder.hpp"
 
 namespace brume::reference {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "reference/quadrature.hpp"
 #include "reference/sampling.hpp"
-#include "unit/flat/flat_scene_builder.hpp"
+#include "unit/plan/flat_scene_builder.hpp"
 
 namespace brume::reference {
 namespace {

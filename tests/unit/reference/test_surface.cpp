@@ -5,7 +5,7 @@
 
 #include "reference/render.hpp"
 #include "reference/surface.hpp"
-#include "unit/flat/flat_scene_builder.hpp"
+#include "unit/plan/flat_scene_builder.hpp"
 
 namespace brume::reference {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "base/error.hpp"
-#include "flat/flatten.hpp"
+#include "plan/planned_scene.hpp"
 #include "scene/scene_reader.hpp"
 
 namespace brume {

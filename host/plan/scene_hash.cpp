@@ -1,5 +1,5 @@
 // FNV-1a [Fowler91] over words of 32 bits, of which all hashed structs consist: no padding.
-#include "flat/scene_hash.hpp"
+#include "plan/scene_hash.hpp"
 
 #include <cstddef>
 #include <cstring>

@@ -4,8 +4,8 @@
 #include <functional>
 #include <set>
 
-#include "flat/scene_hash.hpp"
-#include "unit/flat/flat_scene_builder.hpp"
+#include "plan/scene_hash.hpp"
+#include "unit/plan/flat_scene_builder.hpp"
 
 namespace brume::test {
 namespace {

@@ -4,7 +4,7 @@
 #include <functional>
 #include <glm/vec3.hpp>
 
-#include "flat/render_plan.hpp"
+#include "plan/render_plan.hpp"
 #include "shared/method.h"
 #include "shared/phase.h"
 

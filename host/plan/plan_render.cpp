@@ -1,8 +1,9 @@
-// See render_plan.hpp.
+// See render_plan.hpp and plan_parts.hpp.
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "flat/flatten_parts.hpp"
+#include "flat/media_methods.hpp"
+#include "plan/plan_parts.hpp"
 
 namespace brume {
 
@@ -56,6 +57,16 @@ void plan_media(const SceneDesc& desc, const FlatScene& flat, RenderPlan& plan) 
 }
 
 }  // namespace
+
+int plan_light_picks(const SceneDesc& desc, const FlatScene& scene) {
+  const int lights = static_cast<int>(scene.lights.size()), wanted = desc.render.light_samples;
+  const int picks = wanted == LIGHT_SAMPLES_AUTO ? (lights <= LIGHTS_ENUMERATED ? lights : LIGHT_PICKS)
+                                                 : (wanted == 0 ? lights : std::min(wanted, lights));
+  if (picks > LIGHT_PICKS_MAX)
+    throw InputError(desc.file.string() + ": /render/light_samples: 0 asks all " + std::to_string(lights) +
+                     " lights at every point; at most " + std::to_string(LIGHT_PICKS_MAX) + " are allowed");
+  return picks;
+}
 
 Medium medium_of(const FlatScene& flat, const MediumWalk& walk, std::size_t medium) {
   const PlacedGrid& placed = flat.placed[static_cast<std::size_t>(medium_placed(flat.media[medium]))];

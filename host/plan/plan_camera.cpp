@@ -6,7 +6,8 @@
 #include <glm/trigonometric.hpp>
 #include <limits>
 
-#include "flat/flatten_parts.hpp"
+#include "flat/transform.hpp"
+#include "plan/plan_parts.hpp"
 
 namespace brume {
 

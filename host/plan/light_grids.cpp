@@ -5,7 +5,8 @@
 #include <glm/matrix.hpp>
 
 #include "base/error.hpp"
-#include "flat/flatten_parts.hpp"
+#include "flat/transform.hpp"
+#include "plan/plan_parts.hpp"
 
 namespace brume {
 
@@ -76,7 +77,7 @@ void columns_count(float slope, int nk, int n, int& first, int& count) {
   count = n + std::abs(last);
 }
 
-// A light along an axis of the box but for rounding runs along its sides.
+// A light that runs along an axis of the box but for rounding is taken to run exactly along it.
 float slope_of(double slope, int nk) {
   return std::abs(slope) * (nk - 1) < LIGHT_GRID_INSET ? 0.0f : static_cast<float>(slope);
 }

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "base/error.hpp"
-#include "flat/flatten.hpp"
+#include "plan/planned_scene.hpp"
 #include "scene/scene_reader.hpp"
 
 namespace brume {

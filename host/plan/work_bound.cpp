@@ -4,7 +4,8 @@
 #include <cstdio>
 
 #include "base/error.hpp"
-#include "flat/flatten_parts.hpp"
+#include "flat/media_methods.hpp"
+#include "plan/plan_parts.hpp"
 
 namespace brume {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "flat/flatten.hpp"
+#include "plan/planned_scene.hpp"
 #include "reference/light_grid.hpp"
 #include "reference/render.hpp"
 #include "scene/scene_reader.hpp"

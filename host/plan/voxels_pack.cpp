@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "flat/flatten_parts.hpp"
+#include "plan/render_plan.hpp"
 
 namespace brume {
 

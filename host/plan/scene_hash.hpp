@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 
-#include "flat/render_plan.hpp"
+#include "plan/render_plan.hpp"
 
 namespace brume {
 

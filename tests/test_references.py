@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Every [Key] cited in a source stands in REFERENCES.md, once and in order; every entry there is cited, and by the files that
-it names. Every section of PICTURE.md that is cited is there. Not a check of authors, titles and links."""
+"""Every [Key] cited in a source stands in REFERENCES.md, once and in order; every entry there is cited, and by the
+files that it names. Every section of PICTURE.md that is cited is there. Not a check of authors, titles and links."""
 import re
 import unittest
 from pathlib import Path
@@ -73,8 +73,8 @@ class ReferencesTest(unittest.TestCase):
         self.assertEqual(sorted(entry for entry in cited | own if entry[1] not in headings), [])
 
     def test_pattern_tells_citations_from_code(self):
-        for text, keys in (("[Kay86]", ["Kay86"]), ("[Jarzynski20, pcg4d]", ["Jarzynski20"]), ("[Smith07b]", ["Smith07b"]),
-                           ("names[UINT16]", []), ("[chapter §4]", []), ("data[i]", [])):
+        for text, keys in (("[Kay86]", ["Kay86"]), ("[Jarzynski20, pcg4d]", ["Jarzynski20"]),
+                           ("[Smith07b]", ["Smith07b"]), ("names[UINT16]", []), ("[chapter §4]", []), ("data[i]", [])):
             with self.subTest(text):
                 self.assertEqual(CITATION.findall(text), keys)
 

@@ -43,8 +43,7 @@ typedef struct {
   Packed3 transmittance;
   uint lookups;      // density fetches, shadow rays included
   Packed3 radiance;  // in-scattered, as it arrives at the origin
-  uint
-      shadow_key;  // counts the samples whose light was blocked by a surface: two renderers agree on it or sit at an edge
+  uint shadow_key;   // which lights surfaces block where: PICTURE, Keys
   uint shadow_rays;
 } MediumResult;
 BRUME_LAYOUT(MediumResult, 36);

@@ -96,6 +96,12 @@ TEST(SceneSchema, ListsEveryFamily) {
   EXPECT_EQ(types("phase"), names(phase_family()));
   EXPECT_EQ(types("shape"), names(shape_family()));
   EXPECT_EQ(types("texture"), names(texture_family()));
+  const nlohmann::json& render = schema["properties"]["render"]["properties"];
+  Family shadows = shadow_family();
+  shadows.insert(shadows.begin(), {SHADOW_AUTO, "auto", ""});
+  EXPECT_EQ(render["shadow"]["enum"], names(shadows));
+  EXPECT_EQ(render["in_scattering"]["enum"], names(in_scattering_family()));
+  EXPECT_EQ(render["storage"]["enum"], names(storage_family()));
   const nlohmann::json& file = lists["density"]["oneOf"].back()["properties"];
   EXPECT_EQ(file["level_set"]["enum"], names(level_set_family()));
   EXPECT_EQ(file["negative"]["enum"], names(negative_family()));

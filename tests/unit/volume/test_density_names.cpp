@@ -1,8 +1,10 @@
 // The densities that a scene file may name (host/scene) and those that there are (host/volume) stand in two tables,
-// which must hold the same names: the one says which keys a type reads, the other makes the field.
+// which must hold the same names, as must the schema: the one says which keys a type reads, the other makes the field.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 
@@ -31,6 +33,16 @@ TEST(DensityNames, ReaderAndSourceKnowTheSame) {
   EXPECT_FALSE(sources.empty());
   EXPECT_THAT(names_of_reader(), testing::UnorderedElementsAreArray(sources));
   EXPECT_EQ(std::set<std::string>(sources.begin(), sources.end()).size(), sources.size());
+}
+
+TEST(DensityNames, TheSchemaListsThem) {
+  std::ifstream in(std::string(BRUME_SOURCE_DIR) + "/scenes/scene.schema.json");
+  const nlohmann::json schema = nlohmann::json::parse(in);
+  std::vector<std::string> listed, sources;
+  for (const nlohmann::json& one : schema["definitions"]["density"]["oneOf"])
+    listed.push_back(one["properties"]["type"]["const"]);
+  for (const FamilyRow& row : density_family()) sources.emplace_back(row.name);
+  EXPECT_EQ(listed, sources);
 }
 
 // Not by the message alone: each is read, with whatever its type cannot do without.

@@ -11,8 +11,8 @@
 #include "cli/command.hpp"
 #include "cli/file_kind.hpp"
 #include "flat/bricks.hpp"
-#include "flat/flatten.hpp"
 #include "mesh/mesh.hpp"
+#include "plan/planned_scene.hpp"
 #include "scene/families.hpp"
 #include "scene/scene_reader.hpp"
 #include "volume/volume_file.hpp"
@@ -150,7 +150,7 @@ void command_info(CLI::App& app, Command& run) {
   CLI::App* command = app.add_subcommand("info", "Say what a scene, volume or mesh file holds");
   auto file = std::make_shared<Path>();
   auto json = std::make_shared<bool>(false);
-  command->add_option("file", *file, "Scene (.json), volume (.vdb) or mesh (.obj)")->required();
+  command->add_option("file", *file, "A " + file_kinds_text())->required();
   command->add_flag("--json", *json, "Print JSON");
   command->callback([file, json, &run] { run = [file, json] { return info_run(*file, *json); }; });
 }

@@ -23,8 +23,8 @@
 #include "film/film_partial.hpp"
 #include "film/film_write.hpp"
 #include "flat/bare_scene.hpp"
-#include "flat/flatten.hpp"
 #include "image/image_format.hpp"
+#include "plan/planned_scene.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene_reader.hpp"
 #include "scene/scene_writer.hpp"
@@ -205,7 +205,7 @@ int render_run(RenderArguments arguments) {
 }  // namespace
 
 void command_render(CLI::App& app, Command& run) {
-  CLI::App* command = app.add_subcommand("render", "Render a scene, a volume (.vdb) or a mesh (.obj)");
+  CLI::App* command = app.add_subcommand("render", "Render a " + file_kinds_text());
   auto arguments = std::make_shared<RenderArguments>();
   arguments->add_options(*command);
   command->callback([arguments, &run] { run = [arguments] { return render_run(*arguments); }; });

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
+#include "cli/file_kind.hpp"
 #include "film/film.hpp"
 #include "film/film_display.hpp"
 #include "scene/families.hpp"
@@ -33,7 +34,7 @@ std::string number(double value) { return number_text(value, 17); }  // as JSON 
 }  // namespace
 
 void RenderArguments::add_options(CLI::App& command) {
-  command.add_option("scene", scene, "Scene (.json), volume (.vdb) or mesh (.obj)")->required();
+  command.add_option("scene", scene, "A " + file_kinds_text())->required();
   command.add_option("-o,--output", outputs,
                      "Picture: .exr linear float with AOVs; .png, .jpg for display. Repeatable; default NAME.png");
   command.add_option("--size", size, "Film size WxH in pixels");

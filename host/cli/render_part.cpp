@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
-#include "flat/scene_hash.hpp"
+#include "plan/scene_hash.hpp"
 #include "version.hpp"
 
 namespace brume {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "film/film_partial.hpp"
-#include "flat/render_plan.hpp"
 #include "image/image.hpp"
+#include "plan/render_plan.hpp"
 #include "render/work.hpp"
 #include "scene/scene_desc.hpp"
 

@@ -1,4 +1,4 @@
-// See render_report.hpp. The JSON keys are those of the design and stay as they are.
+// See render_report.hpp. Programs read the JSON keys: they stay as they are.
 #include "cli/render_report.hpp"
 
 #include <algorithm>

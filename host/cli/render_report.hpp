@@ -3,8 +3,8 @@
 #include <string>
 
 #include "cl/device.hpp"
-#include "flat/render_plan.hpp"
 #include "image/image.hpp"
+#include "plan/render_plan.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene_desc.hpp"
 

@@ -1,8 +1,9 @@
-// Which method each medium takes, and which wishes are refused.
+// See media_methods.hpp.
+#include "flat/media_methods.hpp"
+
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "flat/flatten_parts.hpp"
 #include "scene/families.hpp"
 
 namespace brume {

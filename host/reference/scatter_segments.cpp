@@ -1,4 +1,4 @@
-// See scatter_segments.hpp. Written from ARCHITECTURE.md, one segment after the other.
+// See scatter_segments.hpp. Written from PICTURE.md, one segment after the other.
 #include "reference/scatter_segments.hpp"
 
 #include <algorithm>
@@ -149,7 +149,7 @@ class DepthAlong {
 
 double largest(const dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
-// A walk through one medium that is not tracked, as ARCHITECTURE.md cuts it into segments and dense ones into parts.
+// A walk through one medium that is not tracked, as PICTURE.md cuts it into segments and dense ones into parts.
 struct SegmentWalk {
   const Context& context;
   const Medium& medium;

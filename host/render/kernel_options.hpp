@@ -3,7 +3,7 @@
 #include <string>
 
 #include "cl/device.hpp"
-#include "flat/render_plan.hpp"
+#include "plan/render_plan.hpp"
 
 namespace brume {
 

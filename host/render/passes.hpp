@@ -7,7 +7,7 @@
 
 #include "base/stopwatch.hpp"
 #include "cl/context.hpp"
-#include "flat/render_plan.hpp"
+#include "plan/render_plan.hpp"
 #include "render/device_scene.hpp"
 #include "render/renderer.hpp"
 #include "render/work.hpp"

@@ -38,6 +38,9 @@ struct VolumeGridInfo {
   std::vector<std::string> notes;    // as Grid::notes
 };
 
+// The endings of the files that are read: ".vdb".
+std::vector<std::string> volume_endings();
+
 // The grids of a file in its order, `voxels`: read whole, so that nothing is left that could refuse them. Throws
 // InputError for files that cannot be read.
 std::vector<VolumeGridInfo> volume_list(const std::filesystem::path& file, bool voxels = false);

@@ -1,4 +1,4 @@
-// The stretch of a ray inside a medium, and density lookups in its bricks. Knows no radiometry.
+// The part of a ray inside a medium, and density lookups in its bricks. Knows no radiometry.
 #ifndef BRUME_DENSITY_MEDIUM_CL
 #define BRUME_DENSITY_MEDIUM_CL
 #include "lib/scene.cl"
@@ -44,10 +44,11 @@ static inline MediumRay medium_ray(const Medium* medium, float3 origin, float3 d
   return r;
 }
 
-// Up to W stretches of a ray, each inside one stored brick (or, for a constant medium, anywhere). (x, y, z) is the cell
-// of the stretch, or the first cell of its brick: the walk that fills them knows which, and says so as `within` below.
+// Up to W segments of a ray, each inside one stored brick (or, for a constant medium, anywhere). (x, y, z) is the cell
+// of the segment, or the first cell of its brick: the walk that fills them knows which, and says so as `within` below.
 typedef struct {
-  int count;  // how many have a length; those without lie last, but for the marchers' in empty bricks; 0 at the end
+  int count;       // how many have a length; 0 at the end of the ray. They come first; only marchers, whose steps lie
+                   // in fixed lanes, leave gaps of size 0 where a brick is empty
   float begin[W];  // s at which the segment begins
   float place[W];  // s at which density and light are sampled: the middle, but for some marchers
   float size[W];   // world length; 0 beyond count

@@ -14,7 +14,7 @@ typedef struct {
 
 // Mean of the light's transmittance over a segment whose own depth is `depth`, weighted as the view sees it. Both
 // depths grow evenly, that to the light from `begin` to `end`: ∫ exp(-t) over the sum of both, by ∫ exp(-t) over the
-// own (ARCHITECTURE, Media).
+// own (PICTURE, Dense segments).
 static inline floatW lanes_light_mean(floatW begin, floatW end, floatW depth) {
   const floatW last = fmin(depth + end, (floatW)(TAU_FINITE)), first = fmin(begin, (floatW)(TAU_FINITE));
   const floatW nearer = fmin(first, last), span = fabs(last - first);

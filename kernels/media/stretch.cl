@@ -26,6 +26,7 @@ typedef struct {
   Tau tau;
 } Others;
 
+// A stretch: one batch of segments of a view ray, and what is known of each.
 typedef struct {
   const Medium* medium;
   const MediumRay* ray;

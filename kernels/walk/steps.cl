@@ -1,5 +1,5 @@
-// Placement of the marchers: n equal steps over the whole stretch inside the medium, each sampled once, W side by side:
-// which brick a sample lies in follows from where it is, and only empty stretches are walked through.
+// Placement of the marchers: n equal steps over the whole ray inside the medium, each sampled once, W side by side.
+// Which brick a sample lies in follows from where it is; bricks are walked through only where W samples find none.
 #ifndef BRUME_WALK_STEPS_CL
 #define BRUME_WALK_STEPS_CL
 #include "density/dda.cl"
@@ -15,7 +15,7 @@ typedef struct {
 #endif
 } Steps;
 
-// n = ceil(length / step - 1/1024): the step is renormalised to length / n (ARCHITECTURE, Media).
+// n = ceil(length / step - 1/1024): the step is renormalised to length / n (PICTURE, Segments).
 static inline Steps steps_begin(const Medium* medium, const MediumRay* ray, Random random, float share, float jitter) {
   Steps s;
   s.share = share;

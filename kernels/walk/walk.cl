@@ -105,7 +105,8 @@ static inline uint walk_id(const Medium* medium, const Segments* at, int i) {
 #define walk_id(medium, at, i) 0
 #endif
 
-// ∫ρ over the whole stretch, not for trackers; the rest is left out once it is black by an extinction of `sigma`.
+// ∫ρ over the whole ray inside the medium, not for trackers; the rest is left out once it is black by an extinction of
+// `sigma`.
 static inline float walk_total(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random,
                                float sigma, uint* lookups) {
   if (!(ray->length > 0.0f)) return 0.0f;

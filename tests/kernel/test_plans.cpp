@@ -3,6 +3,7 @@
 
 #include "check/check_images.hpp"
 #include "flat/flatten.hpp"
+#include "plan/planned_scene.hpp"
 #include "render/device_scene.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene_reader.hpp"

@@ -46,6 +46,7 @@ LIBRARIES = {
     "openvdb/": "vdb",
     "tbb/": "vdb",
     "OpenImageIO/": "codec",
+    "png.h": "image",
     "CLI/": "cli",
     "nlohmann/": "base scene check cli",
 }

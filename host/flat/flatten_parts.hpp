@@ -26,11 +26,9 @@ std::vector<MediumRow> media_rows(const SceneDesc& desc);
 // The method of a medium: a method of its own has to fit it; where that of the picture does not, it is the exact one.
 // Never auto. Throws InputError.
 int method_resolve(const SceneDesc& desc, const MediumDesc& medium);
-// One line about the media that take another method than the picture asks for; InputError where all do that have none
-// of their own.
-void methods_tell(const SceneDesc& desc, const std::vector<MediumRow>& media, std::vector<std::string>& notes);
-// Throws InputError where methods or light grids fit no medium.
-void media_check(const SceneDesc& desc);
+// Throws InputError where methods or light grids fit no medium; notes media that take another method than the picture
+// asks for.
+void media_check(const SceneDesc& desc, const std::vector<MediumRow>& media, std::vector<std::string>& notes);
 
 // A medium with its grid in memory. Constant media have a grid only where a voxel method asks for one.
 struct LoadedMedium {

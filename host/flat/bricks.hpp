@@ -16,6 +16,9 @@ void bricks_append(Grid&& grid, Medium& medium, FlatScene& scene);
 // Of what bricks_append filled in, what a grid is, wherever it stands.
 BrickGrid brick_grid_of(const Medium& medium);
 
+// Where the entries of a block of bricks begin; blocks that are alike share them. 0 <= block < blocks.
+std::int32_t brick_block_entries(const FlatScene& scene, const Medium& medium, glm::ivec3 block);
+
 // Number of the samples of brick b of the medium's grid, or BRICK_EMPTY. 0 <= b < brick_n.
 std::int32_t brick_entry(const FlatScene& scene, const Medium& medium, glm::ivec3 b);
 

@@ -149,6 +149,13 @@ bool render_film(const RenderArguments& arguments, Renderer& renderer, const Wor
   return complete;
 }
 
+// For a bare volume: what reads it is loaded meanwhile.
+std::optional<DeviceInfo> choose_beside_volume(const RenderArguments& arguments) {
+  if (file_kind(arguments.scene) != FileKind::VOLUME) return std::nullopt;
+  volume_prepare(arguments.scene);
+  return device_choose(arguments.device);
+}
+
 int render_run(RenderArguments arguments) {
   Stopwatch total, lap;
   arguments.complete();
@@ -157,11 +164,7 @@ int render_run(RenderArguments arguments) {
   const std::string input = arguments.scene.string();
   LoadedScene loaded;
   loaded.needed_again = false;  // one picture needs the files no longer
-  std::optional<DeviceInfo> chosen;
-  if (file_kind(arguments.scene) == FileKind::VOLUME) {
-    volume_prepare(arguments.scene);
-    chosen = device_choose(arguments.device);
-  }
+  const std::optional<DeviceInfo> chosen = choose_beside_volume(arguments);
   const SceneDesc desc = with_memory(input, [&] { return describe(arguments, loaded); });
   check_part(arguments, desc.film.size);
   if (!arguments.save_scene.empty())

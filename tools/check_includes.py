@@ -48,6 +48,7 @@ LIBRARIES = {
     "openvdb/": "vdb",
     "tbb/": "vdb",
     "OpenImageIO/": "codec",
+    "png.h": "image",
     "CLI/": "cli",
     "nlohmann/": "base scene check cli",
 }

@@ -1,14 +1,21 @@
 // See device.hpp.
 #include "cl/device.hpp"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <optional>
 
 #include "base/error.hpp"
 #include "base/foreign_lines.hpp"
 #include "cl/driver_guard.hpp"
 
 namespace brume {
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -41,17 +48,51 @@ bool device_matches(const DeviceInfo& info, const std::string& wanted) {
   return lower(info.name + " " + info.platform).find(lower(wanted)) != std::string::npos;
 }
 
-}  // namespace
+// While one lives, the loader finds PoCL's driver alone, in a folder of its own: those of other vendors bring libraries
+// that take longer to load than all else before the first call. Only where nobody has chosen drivers and PoCL can be
+// loaded.
+class PoclAlone {
+ public:
+  PoclAlone() {
+    std::error_code failed;
+    std::string folder = (fs::temp_directory_path(failed) / "brume-driver-XXXXXX").string();
+    if (failed || !possible() || ::mkdtemp(folder.data()) == nullptr) return;
+    folder_ = folder;
+    fs::create_symlink(POCL, folder_ / "pocl.icd", failed);
+    if (!failed) ::setenv(VARIABLE, folder.c_str(), 0);
+  }
+  ~PoclAlone() {
+    if (folder_.empty()) return;
+    ::unsetenv(VARIABLE);
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+  PoclAlone(const PoclAlone&) = delete;
+  PoclAlone& operator=(const PoclAlone&) = delete;
 
-int DeviceInfo::lanes() const {
-  if (!cpu) return 1;
-  return float_width >= 16 ? 16 : (float_width >= 8 ? 8 : 4);
-}
+ private:
+  static constexpr const char* VARIABLE = "OCL_ICD_VENDORS";
+  static constexpr const char* POCL = "/etc/OpenCL/vendors/pocl.icd";
 
-std::vector<DeviceInfo> device_list() {
+  static bool possible() {
+    for (const char* choice : {VARIABLE, "OCL_ICD_FILENAMES", "OPENCL_VENDOR_PATH", "POCL_DEVICES", "LD_PRELOAD"})
+      if (std::getenv(choice) != nullptr) return false;
+    std::string library;
+    std::ifstream file(POCL);
+    std::getline(file, library);
+    return !library.empty() && ::dlopen(library.c_str(), RTLD_LAZY) != nullptr;
+  }
+
+  fs::path folder_;
+};
+
+// Only the first call in a process loads drivers.
+std::vector<DeviceInfo> devices_find(bool pocl_alone) {
   driver_environment();
   const DriverGuard guard;
   const ForeignLines lines("an OpenCL driver");
+  std::optional<PoclAlone> alone;
+  if (pocl_alone) alone.emplace();
   std::vector<DeviceInfo> devices;
   std::vector<cl::Platform> platforms;
   try {
@@ -72,8 +113,17 @@ std::vector<DeviceInfo> device_list() {
   return devices;
 }
 
+}  // namespace
+
+int DeviceInfo::lanes() const {
+  if (!cpu) return 1;
+  return float_width >= 16 ? 16 : (float_width >= 8 ? 8 : 4);
+}
+
+std::vector<DeviceInfo> device_list() { return devices_find(false); }
+
 DeviceInfo device_choose(const std::string& wanted) {
-  const std::vector<DeviceInfo> devices = device_list();
+  const std::vector<DeviceInfo> devices = devices_find(wanted.empty());
   if (devices.empty()) {
     const std::string problem = kernel_cache_problem();  // PoCL has no devices then
     throw RuntimeError(

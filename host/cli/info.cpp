@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
+#include <glm/common.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -74,17 +75,46 @@ Json info_mesh(const Path& file) {
           {"notes", mesh.notes}};
 }
 
-Json medium_info(const FlatScene& flat, const Medium& m) {
+struct BrickCounts {
   std::size_t stored = 0, constant = 0;
-  const std::size_t count = std::size_t(m.brick_nx) * m.brick_ny * m.brick_nz;
-  for (glm::ivec3 b(0); b.z < m.brick_nz; ++b.z)
-    for (b.y = 0; b.y < m.brick_ny; ++b.y)
-      for (b.x = 0; b.x < m.brick_nx; ++b.x) {
+};
+
+// Those from brick `first` to before `end`.
+BrickCounts bricks_count(const FlatScene& flat, const Medium& m, glm::ivec3 first, glm::ivec3 end) {
+  BrickCounts counts;
+  for (glm::ivec3 b = first; b.z < end.z; ++b.z)
+    for (b.y = first.y; b.y < end.y; ++b.y)
+      for (b.x = first.x; b.x < end.x; ++b.x) {
         const std::int32_t entry = brick_entry(flat, m, b);
         if (entry == BRICK_EMPTY) continue;
-        ++stored;
-        constant += flat.brick_ranges[2 * std::size_t(entry)] == flat.brick_ranges[2 * std::size_t(entry) + 1];
+        ++counts.stored;
+        counts.constant += flat.brick_ranges[2 * std::size_t(entry)] == flat.brick_ranges[2 * std::size_t(entry) + 1];
       }
+  return counts;
+}
+
+// Blocks of bricks that share their entries, as the empty ones of a wide and sparse volume do, are counted once in a row.
+BrickCounts bricks_count(const FlatScene& flat, const Medium& m) {
+  const glm::ivec3 bricks(m.brick_nx, m.brick_ny, m.brick_nz);
+  BrickCounts all, last;
+  std::int32_t last_entries = -1;
+  for (glm::ivec3 at(0); at.z < bricks.z; at.z += BRICK_BLOCK)
+    for (at.y = 0; at.y < bricks.y; at.y += BRICK_BLOCK)
+      for (at.x = 0; at.x < bricks.x; at.x += BRICK_BLOCK) {
+        const glm::ivec3 end = glm::min(at + BRICK_BLOCK, bricks);
+        const bool whole = end == at + BRICK_BLOCK;
+        const std::int32_t entries = brick_block_entries(flat, m, at / BRICK_BLOCK);
+        if (!whole || entries != last_entries) last = bricks_count(flat, m, at, end);
+        last_entries = whole ? entries : -1;
+        all.stored += last.stored;
+        all.constant += last.constant;
+      }
+  return all;
+}
+
+Json medium_info(const FlatScene& flat, const Medium& m) {
+  const auto [stored, constant] = bricks_count(flat, m);
+  const std::size_t count = std::size_t(m.brick_nx) * m.brick_ny * m.brick_nz;
   return {{"method", family_name(method_family(), m.method)},
           {"interpolation", family_name(interpolation_family(), m.interpolation)},
           {"cells", {m.cells_x, m.cells_y, m.cells_z}},

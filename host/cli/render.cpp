@@ -28,6 +28,7 @@
 #include "render/renderer.hpp"
 #include "scene/scene_reader.hpp"
 #include "scene/scene_writer.hpp"
+#include "volume/volume_file.hpp"
 
 namespace brume {
 
@@ -46,7 +47,11 @@ ivec2 film_size(const RenderArguments& arguments) {
 }
 
 SceneDesc describe(const RenderArguments& arguments, LoadedScene& loaded) {
-  if (file_kind(arguments.scene) == FileKind::SCENE) return scene_read(arguments.scene, arguments.all_overrides());
+  if (file_kind(arguments.scene) == FileKind::SCENE) {
+    SceneDesc desc = scene_read(arguments.scene, arguments.all_overrides());
+    for (const MediumDesc& medium : desc.media) volume_prepare(medium.density.file);
+    return desc;
+  }
   std::string report;
   const SceneDesc bare = bare_scene(arguments.scene, loaded, report, film_size(arguments));
   say(arguments, report);
@@ -144,6 +149,13 @@ bool render_film(const RenderArguments& arguments, Renderer& renderer, const Wor
   return complete;
 }
 
+// For a bare volume: what reads it is loaded meanwhile.
+std::optional<DeviceInfo> choose_beside_volume(const RenderArguments& arguments) {
+  if (file_kind(arguments.scene) != FileKind::VOLUME) return std::nullopt;
+  volume_prepare(arguments.scene);
+  return device_choose(arguments.device);
+}
+
 int render_run(RenderArguments arguments) {
   Stopwatch total, lap;
   arguments.complete();
@@ -152,12 +164,13 @@ int render_run(RenderArguments arguments) {
   const std::string input = arguments.scene.string();
   LoadedScene loaded;
   loaded.needed_again = false;  // one picture needs the files no longer
+  const std::optional<DeviceInfo> chosen = choose_beside_volume(arguments);
   const SceneDesc desc = with_memory(input, [&] { return describe(arguments, loaded); });
   check_part(arguments, desc.film.size);
   if (!arguments.save_scene.empty())
     atomic_write(arguments.save_scene, scene_write(desc, arguments.save_scene.parent_path()));
 
-  const DeviceInfo device = device_choose(arguments.device);
+  const DeviceInfo device = chosen ? *chosen : device_choose(arguments.device);
   const int lanes = lanes_choose(device, arguments.lanes);
   const PlannedScene flat = with_memory(input, [&] {
     return flatten(desc, loaded, {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha});

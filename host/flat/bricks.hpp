@@ -16,6 +16,9 @@ void bricks_append(Grid&& grid, Medium& medium, FlatScene& scene);
 // What bricks_append says of the grid itself, without where it stands.
 BrickGrid brick_grid_of(const Medium& medium);
 
+// Where the entries of a block of bricks begin; blocks that are alike share them. 0 <= block < blocks.
+std::int32_t brick_block_entries(const FlatScene& scene, const Medium& medium, glm::ivec3 block);
+
 // Number of the samples of brick b of the medium's grid, or BRICK_EMPTY. 0 <= b < brick_n.
 std::int32_t brick_entry(const FlatScene& scene, const Medium& medium, glm::ivec3 b);
 

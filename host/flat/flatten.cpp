@@ -34,7 +34,8 @@ dvec3 origin_choose(const Bounds& bounds) {
 }  // namespace
 
 FlatScene scene_flatten(const SceneDesc& desc, LoadedScene& loaded, int bvh_width) {
-  media_check(desc);  // before large files are read for nothing
+  std::vector<std::string> for_the_plan;
+  media_check(desc, media_rows(desc), for_the_plan);  // before large files are read for nothing
   FlatScene scene;
   scene.name = desc.file.filename().string();
   scene.bvh_width = bvh_width;

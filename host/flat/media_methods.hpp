@@ -19,10 +19,8 @@ std::vector<MediumRow> media_rows(const SceneDesc& desc);
 // The method of a medium: a method of its own has to fit it; where that of the picture does not, it is the exact one.
 // Never auto. Throws InputError.
 int method_resolve(const SceneDesc& desc, const MediumDesc& medium);
-// Notes, in one line, the media that take another method than the picture asks for. InputError where its method fits
-// none of the media that have no method of their own.
-void methods_tell(const SceneDesc& desc, const std::vector<MediumRow>& media, std::vector<std::string>& notes);
-// Throws InputError where methods or light grids fit no medium.
-void media_check(const SceneDesc& desc);
+// Throws InputError where methods or light grids fit no medium; notes media that take another method than the picture
+// asks for.
+void media_check(const SceneDesc& desc, const std::vector<MediumRow>& media, std::vector<std::string>& notes);
 
 }  // namespace brume

@@ -43,8 +43,8 @@ MediumWalk walk_plan(const SceneDesc& desc, const MediumDesc& m, const FlatScene
 }
 
 void plan_media(const SceneDesc& desc, const FlatScene& flat, RenderPlan& plan) {
-  media_check(desc);
   const std::vector<MediumRow> rows = media_rows(desc);
+  media_check(desc, rows, plan.plan_notes);
   if (rows.size() != flat.media.size())
     throw InputError(desc.file.string() + ": /media: the scene was flattened with others");
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -52,7 +52,6 @@ void plan_media(const SceneDesc& desc, const FlatScene& flat, RenderPlan& plan) 
     plan.walks.back().light_grids = light_grids_append(desc, medium_of(flat, plan.walks.back(), i), flat, plan);
     plan.draws |= 1u << method_draws(plan.walks.back().method);
   }
-  methods_tell(desc, rows, plan.plan_notes);
   plan.frame.takes_ends = !((plan.draws >> DRAWS_COLLISIONS) & 1u);
 }
 

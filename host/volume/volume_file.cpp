@@ -4,6 +4,7 @@
 #include "base/error.hpp"
 #include "base/file_read.hpp"
 #include "volume/formats/openvdb.hpp"
+#include "volume/volume_program.hpp"
 
 namespace brume {
 namespace fs = std::filesystem;
@@ -15,8 +16,9 @@ struct FormatRow {
   std::vector<VolumeGridInfo> (*list)(const fs::path&, bool voxels);
   Grid (*read)(const fs::path&, const std::string& grid_name, const VolumeValues&);
   VolumeFirst (*read_first)(const fs::path&);
+  void (*prepare)();
 };
-constexpr FormatRow FORMATS[] = {{".vdb", vdb_list, vdb_read, vdb_read_first}};
+constexpr FormatRow FORMATS[] = {{".vdb", vdb_list, vdb_read, vdb_read_first, volume_program_start}};
 
 // The format of a file that exists and is not empty.
 const FormatRow& format_of(const fs::path& file) {
@@ -41,6 +43,11 @@ std::vector<std::string> volume_endings() {
   std::vector<std::string> endings;
   for (const FormatRow& row : FORMATS) endings.emplace_back(row.ending);
   return endings;
+}
+
+void volume_prepare(const fs::path& file) {
+  for (const FormatRow& row : FORMATS)
+    if (file_ending(file) == row.ending) row.prepare();
 }
 
 std::vector<VolumeGridInfo> volume_list(const fs::path& file, bool voxels) {

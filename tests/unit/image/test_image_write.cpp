@@ -30,25 +30,42 @@ TEST_F(ImageTest, TheLibraryIsInAnotherProcess) {
   EXPECT_EQ(image_read(folder_ / "a.png").channels, 3);
 }
 
+// PNG goes without it, whose loading is most of what a small picture would cost.
+TEST_F(ImageTest, PngIsWrittenWithoutTheProgram) {
+  ImageProgram::writer().stop();
+  std::vector<float> rgba;
+  for (int i = 0; i < 12; ++i) rgba.push_back(float(i) / 11);
+  image_check_writable(folder_ / "a.png");
+  image_write_display(folder_ / "a.png", 1, 3, rgba, true);
+  ImageProgram::reader().stop();
+  std::string children;
+  std::getline(std::ifstream("/proc/self/task/" + std::to_string(::getpid()) + "/children"), children);
+  EXPECT_EQ(children, "");
+  const Image read = image_read(folder_ / "a.png");
+  ASSERT_EQ(read.values.size(), rgba.size());
+  for (std::size_t i = 0; i < rgba.size(); ++i)
+    EXPECT_EQ(std::round(read.values[i] * 255), std::round(rgba[i] * 255)) << i;
+}
+
 TEST_F(ImageTest, AProgramKilledFromOutsideIsStartedOnceMore) {
   const std::vector<float> rgb(12, 0.5f);
   ImageProgram::reader().stop();
   ImageProgram::writer().stop();
   for (const int signal : {SIGKILL, SIGTERM, SIGSEGV}) {
-    image_check_writable(folder_ / "a.png");
+    image_check_writable(folder_ / "a.jpg");
     ::kill(image_child(), signal);
-    image_write_display(folder_ / "a.png", 2, 2, rgb);
+    image_write_display(folder_ / "a.jpg", 2, 2, rgb);
     ImageProgram::writer().stop();
     ImageProgram::reader().start();
     ::kill(image_child(), signal);
     if (signal == SIGSEGV) {
-      EXPECT_THAT(refusal(folder_ / "a.png"), HasSubstr("makes the image library crash (signal 11)"));
+      EXPECT_THAT(refusal(folder_ / "a.jpg"), HasSubstr("makes the image library crash (signal 11)"));
     } else {
-      EXPECT_EQ(image_read(folder_ / "a.png").width, 2);
+      EXPECT_EQ(image_read(folder_ / "a.jpg").width, 2);
     }
     ImageProgram::reader().stop();
   }
-  EXPECT_THAT(files(), testing::ElementsAre("a.png"));
+  EXPECT_THAT(files(), testing::ElementsAre("a.jpg"));
 }
 
 TEST_F(ImageTest, FailedWritesKeepWhatWasThereAndSayWhatTheSystemSays) {

@@ -21,9 +21,10 @@ HOST = {
     "film": "base shared image",
     "reference": "base shared flat film",
     "render": "base shared flat film cl",
+    "chart": "base shared scene load image flat cl film reference render",
     "check": "base shared scene volume flat film reference render cl",
     "stability": "base shared scene flat film reference render cl check",
-    "cli": "base shared scene volume mesh accel image load flat cl film reference render check stability",
+    "cli": "base shared scene volume mesh accel image load flat cl film reference render chart check stability",
     "": "base cli",  # host/main.cpp
 }
 KERNELS = {
@@ -47,7 +48,7 @@ LIBRARIES = {
     "tbb/": "vdb",
     "OpenImageIO/": "codec",
     "CLI/": "cli",
-    "nlohmann/": "base scene check cli",
+    "nlohmann/": "base scene chart check cli",
 }
 # Header that the build makes -> the rooms that may see it.
 GENERATED = {"version.hpp": ("", "cli"), "codec_libraries.hpp": ("codec",)}

@@ -1,0 +1,99 @@
+// brume chart: time against error of every method that fits a scene, into a folder.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <memory>
+
+#include "base/atomic_file.hpp"
+#include "base/error.hpp"
+#include "base/foreign_lines.hpp"
+#include "base/interrupt.hpp"
+#include "base/out_of_memory.hpp"
+#include "base/text_printable.hpp"
+#include "chart/chart_run.hpp"
+#include "chart/chart_text.hpp"
+#include "cli/command.hpp"
+#include "cli/progress.hpp"
+#include "cli/render_arguments.hpp"
+#include "cli/scene_describe.hpp"
+#include "scene/families.hpp"
+#include "version.hpp"
+
+namespace brume {
+
+namespace {
+
+struct ChartArguments {
+  RenderArguments render;  // of which scene, and on what
+  std::filesystem::path folder;
+  std::string methods;
+  double budget = 0;
+  bool overwrite = false;
+
+  void say(const std::string& text) const {
+    if (!render.quiet) std::fprintf(stderr, "brume: %s\n", text_printable(text).c_str());
+  }
+};
+
+void chart_write(const Chart& chart, const ChartFolder& folder) {
+  folder.json_write(chart);
+  atomic_write(folder.file("chart.csv"), chart_csv(chart));
+  for (const char* name : {"chart.csv", "chart.json"}) std::printf("%s\n", folder.file(name).string().c_str());
+}
+
+int chart_command_run(const ChartArguments& arguments) {
+  if (arguments.render.quiet) notes_mute();
+  const auto say = [&](const std::string& text) { arguments.say(text); };
+  const std::string input = arguments.render.scene.string();
+  const std::vector<int> wanted = methods_parse(arguments.methods);
+  LoadedScene loaded;
+  const SceneDesc desc = with_memory(input, [&] { return scene_describe(arguments.render, loaded, say); });
+  ChartRequest request;
+  request.methods = methods_fitting(desc, wanted);
+  request.budget = arguments.budget;
+  request.say = say;
+  if (request.methods.empty())
+    say("note: the scene has no media, no method has anything to do: samples per pixel are charted");
+
+  const DeviceInfo device = device_choose(arguments.render.device);
+  Context context(device);
+  const ChartOptions options{lanes_choose(device, arguments.render.lanes), arguments.render.generic,
+                             arguments.render.crop_box()};
+  ChartScene scene = with_memory(input, [&] { return ChartScene(desc, loaded, context, options); });
+  for (const std::string& note : scene.exact_scene(desc.film.spp).all_notes()) say("note: " + note);
+  const ChartIdentity identity = identity_of(scene, device.title(), options, VERSION);
+  const ChartFolder folder(arguments.folder, identity, arguments.overwrite);
+
+  Chart chart;
+  {
+    ProgressBar bar(arguments.render.quiet);
+    request.progress = [&](double share) { bar.show(share); };
+    const InterruptRescue rescue([&] { say("what was measured is in " + folder.file("chart.json").string()); });
+    chart = chart_run(scene, folder, identity, request);
+    if (interrupt_requested()) interrupt_claim();
+  }
+  if (chart.points.empty()) throw Interrupted("interrupted before a point was measured; nothing is written");
+  chart_write(chart, folder);
+  if (interrupt_requested())
+    throw Interrupted("interrupted; the same command goes on from " + std::to_string(chart.points.size()) + " points");
+  if (chart.missing > 0)
+    say("note: --budget ended before " + std::to_string(chart.missing) + " of " +
+        std::to_string(chart.points.size() + std::size_t(chart.missing)) +
+        " points were measured; the same command goes on");
+  return 0;
+}
+
+}  // namespace
+
+void command_chart(CLI::App& app, Command& run) {
+  CLI::App* command = app.add_subcommand("chart", "Chart time against error of every method that fits a scene");
+  auto arguments = std::make_shared<ChartArguments>();
+  arguments->render.add_scene_options(*command);
+  command->add_option("-o,--output", arguments->folder, "Folder for chart.csv, .json, .html, .svg, .png")->required();
+  command->add_option("--methods", arguments->methods, "Only these, comma-separated: " + family_names(method_family()));
+  command->add_option("--budget", arguments->budget, "Seconds after which no further point is measured")
+      ->check(CLI::PositiveNumber);
+  command->add_flag("--overwrite", arguments->overwrite, "Whatever chart the folder holds: begin anew");
+  command->callback([arguments, &run] { run = [arguments] { return chart_command_run(*arguments); }; });
+}
+
+}  // namespace brume

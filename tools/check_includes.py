@@ -51,7 +51,7 @@ LIBRARIES = {
     "nlohmann/": "base scene chart check cli",
 }
 # Header that the build makes -> the rooms that may see it.
-GENERATED = {"version.hpp": ("", "cli"), "codec_libraries.hpp": ("codec",)}
+GENERATED = {"version.hpp": ("", "cli"), "codec_libraries.hpp": ("codec",), "chart_texts.hpp": ("chart",)}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
 

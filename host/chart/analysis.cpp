@@ -9,13 +9,15 @@ namespace brume {
 
 namespace {
 
+bool turns_step(const OrderExpected& expected) { return std::string(expected.knob) == "step"; }
+
 double knob_of(const Knobs& knobs, const OrderExpected& expected) {
-  return std::string(expected.knob) == "step" ? knobs.step : knobs.spp;
+  return turns_step(expected) ? knobs.step : knobs.spp;
 }
 
 bool in_sweep(const Knobs& knobs, const OrderExpected& expected, int spp) {
   const bool plain = knobs.light_grid == 0 && knobs.storage == STORAGE_F32 && knobs.rule == IN_SCATTERING_SEGMENT;
-  return plain && (std::string(expected.knob) == "spp" || knobs.spp == spp);
+  return plain && (!turns_step(expected) || knobs.spp == spp);
 }
 
 struct LogPoint {
@@ -68,8 +70,10 @@ std::vector<ChartOrder> orders_fit(const std::vector<ChartPoint>& points, double
     std::vector<LogPoint> fitted;
     for (const ChartPoint& p : points)
       if (p.knobs.method == method && in_sweep(p.knobs, *expected, spp) && p.rel_rmse > ORDER_ABOVE_FLOOR * floor &&
-          p.rel_rmse > 0 && p.rel_rmse < (std::string(expected->knob) == "spp" ? 1e9 : ORDER_COARSE))
+          p.rel_rmse > 0)
         fitted.push_back({std::log(knob_of(p.knobs, *expected)), std::log(p.rel_rmse)});
+    std::sort(fitted.begin(), fitted.end(), [](const LogPoint& a, const LogPoint& b) { return a.x < b.x; });
+    if (turns_step(*expected) && fitted.size() > ORDER_STEPS) fitted.resize(ORDER_STEPS);
     if (fitted.size() < 3) continue;
     orders.push_back(
         {knobs_method({method}), expected->knob, static_cast<int>(fitted.size()), slope_of(fitted), expected->order});

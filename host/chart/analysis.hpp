@@ -19,9 +19,10 @@ struct OrderExpected {
 std::optional<OrderExpected> order_expected(int method);
 
 // Least squares through the points of each method that differ in that knob alone: light traced, rule "segment", f32.
-// Left out: errors near `floor`, which is not the method's, and above ORDER_COARSE, where no order shows yet. Fewer than
-// three points have none.
-inline constexpr double ORDER_COARSE = 0.5, ORDER_ABOVE_FLOOR = 3;
+// Left out: errors near `floor`, which is not the method's. Of steps the finest ORDER_STEPS count: coarser ones are not
+// near the limit yet. Fewer than three points have no order.
+inline constexpr double ORDER_ABOVE_FLOOR = 3;
+inline constexpr std::size_t ORDER_STEPS = 3;
 std::vector<ChartOrder> orders_fit(const std::vector<ChartPoint>& points, double floor);
 
 }  // namespace brume

@@ -104,6 +104,10 @@ void ChartFolder::exact_write(int spp, const Image& image) const {
   image_write_exr(exact_file(spp), image.width, image.height, channels, {});
 }
 
+void ChartFolder::exact_show(const Image& image, double exposure) const {
+  picture_write(image, exposure, file("exact.jpg"));
+}
+
 void ChartFolder::point_write(const Knobs& knobs, const Image& image, const Image& exact, double exposure) const {
   picture_write(image, exposure, picture_file(knobs));
   error_map_write(image, exact, error_file(knobs));

@@ -23,6 +23,9 @@ constexpr int PLAIN_EXACT_SPP = 256;  // of a scene without media, whose only er
 // The exact picture has the samples of the point, so that an error is the method's alone and not that of the edges.
 int exact_spp(const Knobs& knobs) { return knobs.method == METHOD_NONE ? PLAIN_EXACT_SPP : knobs.spp; }
 
+// The one method that is exact for a density which its light is not.
+const std::string EXACT_FOR_DENSITIES = "dda_gauss2";
+
 class Run {
  public:
   Run(ChartScene& scene, const ChartFolder& folder, const ChartIdentity& identity, const ChartRequest& request)
@@ -64,18 +67,39 @@ class Run {
 
   // The exact picture as the scene asks for it, and its witnesses. False where there was no time.
   bool begin() {
-    const int spp =
-        exact_spp(left_.front().method == METHOD_NONE ? left_.front() : Knobs{0, 0, 0, 0, 0, scene_.desc().film.spp});
-    const Image* exact = exact_picture(spp);
-    if (!exact) return false;
+    const int spp = request_.methods.empty() ? PLAIN_EXACT_SPP : scene_.desc().film.spp;
+    if (!exact_picture(spp)) return false;
     if (chart_.exact.witnesses > 0) return true;
-    chart_.exact.method = scene_.exact_method();
-    chart_.exact.spp = spp;
-    chart_.exact.seconds = exact_seconds_;
     WitnessOptions options;
     if (request_.budget > 0) options.seconds = std::min(options.seconds, request_.budget / 4);
-    witnesses_ask(scene_.exact_scene(spp), *exact, options, chart_.exact);
-    return go_on();
+    const PlannedScene& scene = scene_.exact_scene(spp);
+    const Witnesses witnesses = witnesses_ask(scene, options);
+    ChartExact& exact = chart_.exact;
+    exact.method = scene_.exact_method();
+    exact.spp = spp;
+    exact.seconds = exact_seconds_;
+    witnesses_compare(witnesses, scene.frame, exact_[spp], exact);
+    return exact_refine(spp, witnesses) && go_on();
+  }
+
+  // Takes the picture of fine steps where witnesses say that it is closer. A chart whose time is bounded does without
+  // where it would take a large part of that.
+  bool exact_refine(int spp, const Witnesses& witnesses) {
+    constexpr double DEARER = 20, SHARE = 0.25;
+    const bool dear = request_.budget > 0 && DEARER * exact_seconds_ > SHARE * request_.budget;
+    if (chart_.exact.method != EXACT_FOR_DENSITIES || dear) return true;
+    const SceneDesc fine = exact_desc_fine(scene_.desc(), spp, scene_.limits());
+    auto picture = scene_.render_once(fine, [this](double) { return go_on(); });
+    if (!picture) return false;
+    ChartExact exact = chart_.exact;
+    exact.method = "march_midpoint, step " + number_text(fine.render.step, 3);
+    exact.seconds = picture->seconds;
+    witnesses_compare(witnesses, scene_.exact_scene(spp).frame, picture->image, exact);
+    if (exact.rel_rmse < chart_.exact.rel_rmse) {
+      chart_.exact = exact;
+      exact_[spp] = std::move(picture->image);
+    }
+    return true;
   }
 
   const Image* exact_picture(int spp) {
@@ -122,7 +146,10 @@ class Run {
   void keep(const ChartPoint& point) {
     cost_done_ += scene_.cost(point.knobs);
     chart_.points.push_back(point);
-    for (const int spp : unwritten_) folder_.exact_write(spp, exact_[spp]);
+    for (const int spp : unwritten_) {
+      folder_.exact_write(spp, exact_[spp]);
+      if (spp == chart_.exact.spp) folder_.exact_show(exact_[spp], scene_.desc().film.exposure);
+    }
     unwritten_.clear();
     order_points();
     const double floor = chart_.exact.rel_rmse;

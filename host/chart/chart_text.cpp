@@ -1,13 +1,14 @@
 // See chart_text.hpp. The columns are a table: CSV, the keys of points in JSON and the page's table all have its order.
 #include "chart/chart_text.hpp"
 
-#include <functional>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
 #include "base/file_read.hpp"
 #include "base/json_text.hpp"
 #include "base/json_value.hpp"
+#include "base/number_text.hpp"
 #include "scene/families.hpp"
 
 namespace brume {
@@ -36,7 +37,7 @@ const Column COLUMNS[] = {
     {"seconds", [](const ChartPoint& p) -> Json { return p.seconds; }},
     {"seconds_spread", [](const ChartPoint& p) { return p.runs > 1 ? Json(p.seconds_spread) : Json(); }},
     {"build_seconds", [](const ChartPoint& p) -> Json { return p.build_seconds; }},
-    {"lookups", [](const ChartPoint& p) -> Json { return p.lookups; }},
+    {"lookups", [](const ChartPoint& p) -> Json { return static_cast<std::int64_t>(p.lookups); }},
     {"rel_rmse", [](const ChartPoint& p) -> Json { return p.rel_rmse; }},
     {"max_abs", [](const ChartPoint& p) -> Json { return p.max_abs; }},
     {"display", [](const ChartPoint& p) -> Json { return p.display; }},
@@ -145,7 +146,9 @@ ChartExact exact_read(const JsonValue& json) {
 
 std::string csv_cell(const Json& value) {
   if (value.is_null()) return "";
-  return value.is_string() ? value.get<std::string>() : value.dump();  // names of families need no quotes
+  if (value.is_string()) return value.get<std::string>();  // names of families need no quotes
+  constexpr int DIGITS = 7;
+  return value.is_number_float() ? number_text(value.get<double>(), DIGITS) : value.dump();
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ constexpr int PLAIN_SPPS[] = {1, 2, 4, 8, 16, 32, 64};  // without media nothing
 constexpr int COARSEST = 3, FINEST = 10;                // steps of 2^-COARSEST to 2^-FINEST of the side
 constexpr int FINEST_CONSTANT = 7;
 
-enum Steps { FINE_STEP, ALL_STEPS };
+enum Steps { COARSE_STEP, CELL_STEP, ALL_STEPS };
 enum Grids { TRACED, ONE_GRID, ALL_GRIDS };
 enum Spps { SCENE_SPP, ALL_SPPS };
 struct Sweep {
@@ -43,25 +43,26 @@ struct Sweep {
 };
 constexpr Sweep SWEEPS[] = {
     {any_method, ALL_STEPS, TRACED, SCENE_SPP, STORAGE_F32, IN_SCATTERING_SEGMENT},
-    {draws, FINE_STEP, TRACED, ALL_SPPS, STORAGE_F32, IN_SCATTERING_SEGMENT},
+    {draws, COARSE_STEP, TRACED, ALL_SPPS, STORAGE_F32, IN_SCATTERING_SEGMENT},
     {walks, ALL_STEPS, ONE_GRID, SCENE_SPP, STORAGE_F32, IN_SCATTERING_SEGMENT},
     {samples_middles, ALL_STEPS, ALL_GRIDS, SCENE_SPP, STORAGE_F32, IN_SCATTERING_SEGMENT},
     {draws_nothing, ALL_STEPS, TRACED, SCENE_SPP, STORAGE_F32, IN_SCATTERING_RECTANGLE},
-    {reads_voxels, FINE_STEP, ONE_GRID, SCENE_SPP, STORAGE_F16, IN_SCATTERING_SEGMENT},
-    {reads_voxels, FINE_STEP, ONE_GRID, SCENE_SPP, STORAGE_U8, IN_SCATTERING_SEGMENT},
+    {reads_voxels, CELL_STEP, ONE_GRID, SCENE_SPP, STORAGE_F16, IN_SCATTERING_SEGMENT},
+    {reads_voxels, CELL_STEP, ONE_GRID, SCENE_SPP, STORAGE_U8, IN_SCATTERING_SEGMENT},
 };
 
 int finest_step(const KnobLimits& limits) {
   if (limits.cells == 0) return FINEST_CONSTANT;
-  const int half_a_cell = static_cast<int>(std::ceil(std::log2(limits.cells))) + 1;
-  return std::clamp(half_a_cell, COARSEST + 2, FINEST);
+  const int half_a_cell = static_cast<int>(std::lround(std::log2(limits.cells))) + 1;
+  return std::clamp(half_a_cell, COARSEST + 3, FINEST);
 }
 
-// As powers of 1/2. The fine one of sweeps of other knobs: about a cell.
+// As powers of 1/2. Where other knobs are turned: about a cell, and 4 where many samples are to mend a coarse step.
 std::vector<double> steps_of(const MethodRow& row, Steps steps, const KnobLimits& limits) {
   if (row.placement != PLACEMENT_STEPS) return {0};
   const int finest = finest_step(limits);
-  if (steps == FINE_STEP) return {std::exp2(1 - finest)};
+  if (steps == CELL_STEP) return {std::exp2(1 - finest)};
+  if (steps == COARSE_STEP) return {std::exp2(3 - finest)};
   std::vector<double> all;
   for (int k = COARSEST; k <= finest; ++k) all.push_back(std::exp2(-k));
   return all;
@@ -176,6 +177,14 @@ SceneDesc exact_desc(const SceneDesc& desc, int spp) {
   exact.render.in_scattering = IN_SCATTERING_SEGMENT;
   exact.render.roulette = 0;
   if (exact.lights.size() <= LIGHTS_ALL) exact.render.light_samples = 0;
+  return exact;
+}
+
+SceneDesc exact_desc_fine(const SceneDesc& desc, int spp, const KnobLimits& limits) {
+  constexpr double STEPS_IN_A_CELL = 4;
+  SceneDesc exact = exact_desc(desc, spp);
+  exact.render.method = METHOD_MARCH_MIDPOINT;
+  exact.render.step = 1 / (STEPS_IN_A_CELL * limits.cells);
   return exact;
 }
 

@@ -41,5 +41,8 @@ std::vector<Knobs> knobs_list(const std::vector<int>& methods, const KnobLimits&
 
 // The most exact that there is: no steps where none are needed, light traced from every light, nothing left to chance.
 SceneDesc exact_desc(const SceneDesc& desc, int spp);
+// The same by steps of a fraction of a cell: what light does inside of a cell, which the methods that are exact for
+// densities take from its middle, is followed too. Slower; which of the two is closer, witnesses say.
+SceneDesc exact_desc_fine(const SceneDesc& desc, int spp, const KnobLimits& limits);
 
 }  // namespace brume

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <thread>
 
 #include "base/interrupt.hpp"
@@ -19,32 +20,13 @@ namespace {
 using reference::rng_bits;
 using reference::rng_uniform;
 
-struct Witness {
-  double squares = 0, largest = 0;  // of the errors of its three channels
-  bool asked = false;
-};
-
-Witness witness_of(const reference::Context& context, const Image& picture, const std::array<int, 2>& place) {
-  const Frame& frame = context.scene.frame;
-  const reference::PixelD pixel = reference::pixel_render(context, place[0], place[1]);
-  const std::size_t at =
-      3 * (std::size_t(place[1] - frame.crop_y0) * std::size_t(picture.width) + std::size_t(place[0] - frame.crop_x0));
-  Witness witness{0, 0, true};
-  for (int c = 0; c < 3; ++c) {
-    const double error = picture.values[at + std::size_t(c)] - pixel.radiance[c] / std::max(pixel.samples, 1.0);
-    witness.squares += error * error / 3;
-    witness.largest = std::max(witness.largest, std::abs(error));
-  }
-  return witness;
-}
-
 // Of `draws` means of as many witnesses, drawn with repetition: what 2.5 and 97.5 % of them are not above [Efron79].
-std::array<double, 2> interval_of(const std::vector<Witness>& all, unsigned draws) {
+std::array<double, 2> interval_of(const std::vector<double>& squares, unsigned draws) {
   std::vector<double> means;
-  const unsigned count = static_cast<unsigned>(all.size());
+  const unsigned count = static_cast<unsigned>(squares.size());
   for (unsigned draw = 0; draw < draws; ++draw) {
     double sum = 0;
-    for (unsigned i = 0; i < count; ++i) sum += all[rng_bits(i, draw, 0, 1) % count].squares;
+    for (unsigned i = 0; i < count; ++i) sum += squares[rng_bits(i, draw, 0, 1) % count];
     means.push_back(sum / count);
   }
   std::sort(means.begin(), means.end());
@@ -72,17 +54,19 @@ std::vector<std::array<int, 2>> witness_places(const std::array<int, 4>& box, in
   return places;
 }
 
-void witnesses_ask(const PlannedScene& scene, const Image& picture, const WitnessOptions& options, ChartExact& exact) {
+Witnesses witnesses_ask(const PlannedScene& scene, const WitnessOptions& options) {
   const reference::Context context(scene, {options.order, 0});
   const Frame& frame = scene.frame;
   const auto places = witness_places({frame.crop_x0, frame.crop_y0, frame.crop_x1, frame.crop_y1}, options.pixels, 1);
-  std::vector<Witness> all(places.size());
+  std::vector<std::optional<std::array<double, 3>>> all(places.size());
   const Stopwatch watch;
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < places.size() && !interrupt_requested(); i = next++) {
       if (i >= WITNESSES_LEAST && watch.seconds() > options.seconds) return;
-      all[i] = witness_of(context, picture, places[i]);
+      const reference::PixelD pixel = reference::pixel_render(context, places[i][0], places[i][1]);
+      const auto mean = pixel.radiance / std::max(pixel.samples, 1.0);
+      all[i] = {mean.x, mean.y, mean.z};
     }
   };
   std::vector<std::thread> helpers;
@@ -90,18 +74,38 @@ void witnesses_ask(const PlannedScene& scene, const Image& picture, const Witnes
   work();
   for (std::thread& helper : helpers) helper.join();
   interrupt_check();
-  all.erase(std::remove_if(all.begin(), all.end(), [](const Witness& w) { return !w.asked; }), all.end());
+  Witnesses asked;
+  asked.order = options.order;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!all[i]) continue;  // there was no time for it
+    asked.places.push_back(places[i]);
+    asked.radiance.push_back(*all[i]);
+  }
+  return asked;
+}
 
-  const double squares =
-      std::accumulate(all.begin(), all.end(), 0.0, [](double sum, const Witness& w) { return sum + w.squares; });
+void witnesses_compare(const Witnesses& witnesses, const Frame& frame, const Image& picture, ChartExact& exact) {
+  std::vector<double> squares;
+  exact.max_abs = 0;
+  for (std::size_t i = 0; i < witnesses.places.size(); ++i) {
+    const auto [x, y] = witnesses.places[i];
+    const std::size_t at =
+        3 * (std::size_t(y - frame.crop_y0) * std::size_t(picture.width) + std::size_t(x - frame.crop_x0));
+    squares.push_back(0);
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double error = std::abs(picture.values[at + c] - witnesses.radiance[i][c]);
+      squares.back() += error * error / 3;
+      exact.max_abs = std::max(exact.max_abs, error);
+    }
+  }
   double mean = 0;
   for (const float value : picture.values) mean += std::abs(value) / double(picture.values.size());
   const auto relative = [&](double error) { return error > 0 ? error / mean : 0; };
-  exact.witnesses = static_cast<int>(all.size());
-  exact.order = options.order;
-  exact.rel_rmse = relative(std::sqrt(squares / double(all.size())));
-  for (const Witness& w : all) exact.max_abs = std::max(exact.max_abs, w.largest);
-  const std::array<double, 2> interval = interval_of(all, 1000);
+  const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
+  exact.witnesses = static_cast<int>(squares.size());
+  exact.order = witnesses.order;
+  exact.rel_rmse = relative(std::sqrt(sum / double(squares.size())));
+  const std::array<double, 2> interval = interval_of(squares, 1000);
   exact.interval = {relative(interval[0]), relative(interval[1])};
 }
 

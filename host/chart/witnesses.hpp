@@ -17,7 +17,16 @@ inline constexpr int WITNESSES_LEAST = 16;
 // of them is spread over all of it. All pixels where there are no more.
 std::vector<std::array<int, 2>> witness_places(const std::array<int, 4>& box, int count, unsigned seed);
 
-// Compares `picture`, the crop of `scene`, and fills in what `exact` says of witnesses. Throws Interrupted.
-void witnesses_ask(const PlannedScene& scene, const Image& picture, const WitnessOptions& options, ChartExact& exact);
+// What the reference says of some pixels.
+struct Witnesses {
+  std::vector<std::array<int, 2>> places;
+  std::vector<std::array<double, 3>> radiance;  // their means over samples
+  int order = 0;
+};
+// By single scattering integrated between all faces of cells. Throws Interrupted.
+Witnesses witnesses_ask(const PlannedScene& scene, const WitnessOptions& options);
+
+// Holds `picture`, the crop of `frame`, against them and fills in what `exact` says of witnesses.
+void witnesses_compare(const Witnesses& witnesses, const Frame& frame, const Image& picture, ChartExact& exact);
 
 }  // namespace brume

@@ -11,6 +11,7 @@
 #include "base/text_printable.hpp"
 #include "chart/chart_run.hpp"
 #include "chart/chart_text.hpp"
+#include "chart/page.hpp"
 #include "cli/command.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_arguments.hpp"
@@ -34,10 +35,16 @@ struct ChartArguments {
   }
 };
 
-void chart_write(const Chart& chart, const ChartFolder& folder) {
+// `draws`: not after Ctrl-C, which no other program is to wait for.
+void chart_write(const ChartArguments& arguments, const Chart& chart, const ChartFolder& folder, bool draws) {
+  std::vector<const char*> files{"chart.csv", "chart.json", "chart.html"};
   folder.json_write(chart);
   atomic_write(folder.file("chart.csv"), chart_csv(chart));
-  for (const char* name : {"chart.csv", "chart.json"}) std::printf("%s\n", folder.file(name).string().c_str());
+  atomic_write(folder.file("chart.html"), chart_page(chart, folder));
+  if (draws && chart_plot(chart, folder)) files.insert(files.end(), {"chart.svg", "chart.png"});
+  if (draws && files.size() == 3)
+    arguments.say("note: without gnuplot there is no chart.svg and no chart.png; chart.html draws its own");
+  for (const char* name : files) std::printf("%s\n", folder.file(name).string().c_str());
 }
 
 int chart_command_run(const ChartArguments& arguments) {
@@ -72,7 +79,7 @@ int chart_command_run(const ChartArguments& arguments) {
     if (interrupt_requested()) interrupt_claim();
   }
   if (chart.points.empty()) throw Interrupted("interrupted before a point was measured; nothing is written");
-  chart_write(chart, folder);
+  chart_write(arguments, chart, folder, !interrupt_requested());
   if (interrupt_requested())
     throw Interrupted("interrupted; the same command goes on from " + std::to_string(chart.points.size()) + " points");
   if (chart.missing > 0)

@@ -6,7 +6,7 @@ set format "%g"
 set xlabel "seconds of a render"
 set ylabel "error: relative RMSE"
 set title chart_title noenhanced
-set key outside right top noenhanced
+set key outside right top Left reverse noenhanced
 set grid lc rgb "#dddddd" lt 1
 set border lc rgb "#111111"
 set arrow from graph 0, first 1.0/255 to graph 1, first 1.0/255 nohead dt 2 lw 1.5 lc rgb "#111111" back
@@ -14,6 +14,7 @@ set label "1/255" at graph 0.005, first 1.0/255 offset 0, 0.5 back
 set arrow from graph 0, first 1e-3 to graph 1, first 1e-3 nohead dt 2 lw 1.5 lc rgb "#111111" back
 set label "1e-3" at graph 0.005, first 1e-3 offset 0, 0.5 back
 if (floor > 0) {
+  set yrange [floor / 3:]
   set object 1 rect from graph 0, graph 0 to graph 1, first floor fc rgb "#eeeeee" fs solid noborder behind
   set label "the exact picture's own error" at graph 0.995, first floor right offset 0, -0.7 back
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
@@ -160,13 +161,13 @@ class Run {
     folder_.json_write(chart_);
   }
 
-  // As in the list; those of an earlier run with other --methods behind.
+  // By method, then as in the list; those of an earlier run with other --methods behind.
   void order_points() {
     std::map<std::string, std::size_t> places;
     for (const Knobs& knobs : list_) places.emplace(knobs_id(knobs), places.size());
     const auto place = [&](const ChartPoint& p) {
       const auto found = places.find(knobs_id(p.knobs));
-      return found == places.end() ? places.size() : found->second;
+      return std::make_pair(p.knobs.method, found == places.end() ? places.size() : found->second);
     };
     std::stable_sort(chart_.points.begin(), chart_.points.end(),
                      [&](const ChartPoint& a, const ChartPoint& b) { return place(a) < place(b); });

@@ -58,23 +58,25 @@ int chart_command_run(const ChartArguments& arguments) {
   request.methods = methods_fitting(desc, wanted);
   request.budget = arguments.budget;
   request.say = say;
-  if (request.methods.empty())
-    say("note: the scene has no media, no method has anything to do: samples per pixel are charted");
-
   const DeviceInfo device = device_choose(arguments.render.device);
   Context context(device);
   const ChartOptions options{lanes_choose(device, arguments.render.lanes), arguments.render.generic,
                              arguments.render.crop_box()};
   ChartScene scene = with_memory(input, [&] { return ChartScene(desc, loaded, context, options); });
-  for (const std::string& note : scene.exact_scene(desc.film.spp).all_notes()) say("note: " + note);
   const ChartIdentity identity = identity_of(scene, device.title(), options, VERSION);
   const ChartFolder folder(arguments.folder, identity, arguments.overwrite);
+  if (request.methods.empty())
+    say("note: the scene has no media, no method has anything to do: samples per pixel are charted");
+  for (const std::string& note : scene.exact_scene(desc.film.spp).all_notes()) say("note: " + note);
 
   Chart chart;
   {
     ProgressBar bar(arguments.render.quiet);
     request.progress = [&](double share) { bar.show(share); };
-    const InterruptRescue rescue([&] { say("what was measured is in " + folder.file("chart.json").string()); });
+    const InterruptRescue rescue([&] {
+      if (std::filesystem::exists(folder.file("chart.json")))
+        say("what was measured is in " + folder.file("chart.json").string() + "; the same command goes on");
+    });
     chart = chart_run(scene, folder, identity, request);
     if (interrupt_requested()) interrupt_claim();
   }
@@ -93,6 +95,13 @@ int chart_command_run(const ChartArguments& arguments) {
 
 void command_chart(CLI::App& app, Command& run) {
   CLI::App* command = app.add_subcommand("chart", "Chart time against error of every method that fits a scene");
+  command->footer(
+      "Each point is one setting: its time is the median of 3 to 7 renders (one of more than 20 s stands alone) "
+      "without\n"
+      "the build of its kernels, its error that against the exact picture with as many samples per pixel. The folder\n"
+      "holds chart.csv, chart.json, chart.html and, where gnuplot is, chart.svg and chart.png; the same command goes "
+      "on\n"
+      "where it was interrupted or its budget ended.");
   auto arguments = std::make_shared<ChartArguments>();
   arguments->render.add_scene_options(*command);
   command->add_option("-o,--output", arguments->folder, "Folder for chart.csv, .json, .html, .svg, .png")->required();

@@ -74,7 +74,7 @@ TEST_F(ChartProgram, RefusesWhatCannotBeCharted) {
   expect_refused("chart fog.json -o out --budget 0", 2, "--budget");
   expect_refused("chart fog.json -o out --methods march", 2, "--methods: unknown method 'march'; known: dda_nearest");
   expect_refused("chart fog.json -o out --methods homogeneous", 2, "'homogeneous' fits no medium of fog.json");
-  expect_refused("chart fog.json", 2, "-o is required");
+  expect_refused("chart fog.json", 2, "--output is required");
   expect_refused("chart none.json -o out", 2, "none.json");
   expect_refused("chart fog.json -o fog.json", 2, "fog.json: is a file, expected a folder");
 }

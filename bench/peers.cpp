@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "base/atomic_file.hpp"
+#include "base/command_line.hpp"
 #include "base/stopwatch.hpp"
-#include "process.hpp"
 #include "scene/scene_writer.hpp"
 
 namespace brume::bench {

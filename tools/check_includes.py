@@ -23,9 +23,10 @@ HOST = {
     "film": "base shared image",
     "reference": "base shared flat plan film",
     "render": "base shared flat plan film cl",
+    "chart": "base shared scene load image flat plan cl film reference render",
     "check": "base shared scene volume flat plan film reference render cl",
     "stability": "base shared scene flat plan film reference render cl check",
-    "cli": "base shared scene volume mesh accel image load flat plan cl film reference render check stability",
+    "cli": "base shared scene volume mesh accel image load flat plan cl film reference render chart check stability",
     "": "base cli",  # host/main.cpp
 }
 KERNELS = {
@@ -50,10 +51,10 @@ LIBRARIES = {
     "OpenImageIO/": "codec",
     "png.h": "image",
     "CLI/": "cli",
-    "nlohmann/": "base scene check cli",
+    "nlohmann/": "base scene chart check cli",
 }
 # Header that the build makes -> the rooms that may see it.
-GENERATED = {"version.hpp": ("", "cli"), "codec_libraries.hpp": ("codec",)}
+GENERATED = {"version.hpp": ("", "cli"), "codec_libraries.hpp": ("codec",), "chart_texts.hpp": ("chart",)}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
 

@@ -13,6 +13,7 @@ using Command = std::function<int()>;
 
 // Each registers a subcommand on `app`; `run` is set to it when the user names that command.
 void command_render(CLI::App& app, Command& run);
+void command_chart(CLI::App& app, Command& run);
 void command_check(CLI::App& app, Command& run);
 void command_devices(CLI::App& app, Command& run);
 void command_info(CLI::App& app, Command& run);

@@ -20,13 +20,12 @@
 #include "cli/render_arguments.hpp"
 #include "cli/render_part.hpp"
 #include "cli/render_report.hpp"
+#include "cli/scene_describe.hpp"
 #include "film/film_partial.hpp"
 #include "film/film_write.hpp"
-#include "flat/bare_scene.hpp"
 #include "image/image_format.hpp"
 #include "plan/planned_scene.hpp"
 #include "render/renderer.hpp"
-#include "scene/scene_reader.hpp"
 #include "scene/scene_writer.hpp"
 #include "volume/volume_file.hpp"
 
@@ -36,30 +35,6 @@ namespace {
 
 void say(const RenderArguments& arguments, const std::string& text) {
   if (!arguments.quiet) std::fprintf(stderr, "brume: %s\n", text_printable(text).c_str());
-}
-
-// That of the overrides: the camera of a bare file depends on its shape.
-ivec2 film_size(const RenderArguments& arguments) {
-  std::vector<std::string> film;
-  for (const std::string& override : arguments.all_overrides())
-    if (override.rfind("/film", 0) == 0) film.push_back(override);
-  return scene_read_text("{}", arguments.scene, film).film.size;
-}
-
-SceneDesc describe(const RenderArguments& arguments, LoadedScene& loaded) {
-  if (file_kind(arguments.scene) == FileKind::SCENE) {
-    SceneDesc desc = scene_read(arguments.scene, arguments.all_overrides());
-    for (const MediumDesc& medium : desc.media) volume_prepare(medium.density.file);
-    return desc;
-  }
-  std::string report;
-  const SceneDesc bare = bare_scene(arguments.scene, loaded, report, film_size(arguments));
-  say(arguments, report);
-  const std::filesystem::path folder = arguments.scene.parent_path();
-  SceneDesc desc = scene_read_text(scene_write(bare, folder), folder / (arguments.scene.filename().string() + ".json"),
-                                   arguments.all_overrides());
-  desc.file = arguments.scene;
-  return desc;
 }
 
 std::string size_text(glm::ivec2 size) { return std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels"; }
@@ -165,7 +140,8 @@ int render_run(RenderArguments arguments) {
   LoadedScene loaded;
   loaded.needed_again = false;  // one picture needs the files no longer
   const std::optional<DeviceInfo> chosen = choose_beside_volume(arguments);
-  const SceneDesc desc = with_memory(input, [&] { return describe(arguments, loaded); });
+  const SceneDesc desc = with_memory(
+      input, [&] { return scene_describe(arguments, loaded, [&](const std::string& text) { say(arguments, text); }); });
   check_part(arguments, desc.film.size);
   if (!arguments.save_scene.empty())
     atomic_write(arguments.save_scene, scene_write(desc, arguments.save_scene.parent_path()));

@@ -30,6 +30,8 @@ struct RenderArguments {
   std::filesystem::path stats, save_scene, resume;
 
   void add_options(CLI::App& command);
+  // Those of them that say what is rendered and on what, not how and into which files: for other commands too.
+  void add_scene_options(CLI::App& command);
   // Without -o the picture is NAME.png in the current folder.
   void complete();
 

@@ -1,5 +1,5 @@
-// See process.hpp. Not std::system, which is deaf to Ctrl-C while it waits.
-#include "process.hpp"
+// See command_line.hpp. Not std::system, which is deaf to Ctrl-C while it waits.
+#include "base/command_line.hpp"
 
 #include <spawn.h>
 #include <sys/wait.h>
@@ -14,7 +14,7 @@
 
 extern char** environ;
 
-namespace brume::bench {
+namespace brume {
 
 bool command_succeeds(const std::string& command) {
   posix_spawnattr_t attributes;
@@ -38,4 +38,4 @@ bool command_succeeds(const std::string& command) {
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
-}  // namespace brume::bench
+}  // namespace brume

@@ -21,10 +21,11 @@ HOST = {
     "film": "base shared image",
     "reference": "base shared flat film",
     "render": "base shared flat film cl",
-    "chart": "base shared scene load image flat cl film reference render",
+    "witness": "base shared flat film image reference",
+    "chart": "base shared scene load image flat cl film reference render witness",
     "check": "base shared scene volume flat film reference render cl",
     "stability": "base shared scene flat film reference render cl check",
-    "cli": "base shared scene volume mesh accel image load flat cl film reference render chart check stability",
+    "cli": "base shared scene volume mesh accel image load flat cl film reference render witness chart check stability",
     "": "base cli",  # host/main.cpp
 }
 KERNELS = {

@@ -1,5 +1,5 @@
-// See witnesses.hpp. Random numbers are those of pictures, so that a chart says the same of itself every time.
-#include "chart/witnesses.hpp"
+// See witnesses.hpp. Random numbers are those of pictures, so that a picture is told the same error every time.
+#include "witness/witnesses.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -10,6 +10,7 @@
 
 #include "base/interrupt.hpp"
 #include "base/stopwatch.hpp"
+#include "film/film_display.hpp"
 #include "reference/render.hpp"
 #include "reference/sampling.hpp"
 
@@ -63,7 +64,7 @@ Witnesses witnesses_ask(const PlannedScene& scene, const WitnessOptions& options
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
     for (std::size_t i = next++; i < places.size() && !interrupt_requested(); i = next++) {
-      if (i >= WITNESSES_LEAST && watch.seconds() > options.seconds) return;
+      if (static_cast<int>(i) >= options.least && watch.seconds() > options.seconds) return;
       const reference::PixelD pixel = reference::pixel_render(context, places[i][0], places[i][1]);
       const auto mean = pixel.radiance / std::max(pixel.samples, 1.0);
       all[i] = {mean.x, mean.y, mean.z};
@@ -84,29 +85,52 @@ Witnesses witnesses_ask(const PlannedScene& scene, const WitnessOptions& options
   return asked;
 }
 
-void witnesses_compare(const Witnesses& witnesses, const Frame& frame, const Image& picture, ChartExact& exact) {
-  std::vector<double> squares;
-  exact.max_abs = 0;
+WitnessError witnesses_compare(const Witnesses& witnesses, const Frame& frame, const Image& picture) {
+  WitnessError error;
+  std::vector<double> squares, displayed;
   for (std::size_t i = 0; i < witnesses.places.size(); ++i) {
     const auto [x, y] = witnesses.places[i];
     const std::size_t at =
         3 * (std::size_t(y - frame.crop_y0) * std::size_t(picture.width) + std::size_t(x - frame.crop_x0));
     squares.push_back(0);
     for (std::size_t c = 0; c < 3; ++c) {
-      const double error = std::abs(picture.values[at + c] - witnesses.radiance[i][c]);
-      squares.back() += error * error / 3;
-      exact.max_abs = std::max(exact.max_abs, error);
+      const double is = picture.values[at + c], should = witnesses.radiance[i][c], off = std::abs(is - should);
+      squares.back() += off * off / 3;
+      error.max_abs = std::max(error.max_abs, off);
+      displayed.push_back(std::abs(film_display(float(is), 0) - film_display(float(should), 0)));
     }
   }
+  error.pixels = static_cast<int>(squares.size());
+  error.order = witnesses.order;
+  if (squares.empty()) return error;
   double mean = 0;
   for (const float value : picture.values) mean += std::abs(value) / double(picture.values.size());
-  const auto relative = [&](double error) { return error > 0 ? error / mean : 0; };
-  const double sum = std::accumulate(squares.begin(), squares.end(), 0.0);
-  exact.witnesses = static_cast<int>(squares.size());
-  exact.order = witnesses.order;
-  exact.rel_rmse = relative(std::sqrt(sum / double(squares.size())));
+  const auto relative = [&](double off) { return off > 0 ? off / mean : 0; };
+  error.rel_rmse = relative(std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0) / double(squares.size())));
   const std::array<double, 2> interval = interval_of(squares, 1000);
-  exact.interval = {relative(interval[0]), relative(interval[1])};
+  error.interval = {relative(interval[0]), relative(interval[1])};
+  std::sort(displayed.begin(), displayed.end());
+  error.display = displayed[(displayed.size() * 99 + 99) / 100 - 1];
+  return error;
+}
+
+double film_noise(const Film& film, const Frame& frame) {
+  double variance = 0, sum = 0;
+  for (int y = frame.crop_y0; y < frame.crop_y1; ++y)
+    for (int x = frame.crop_x0; x < frame.crop_x1; ++x) {
+      const FilmPixel& p = film.pixels()[std::size_t(y) * std::size_t(film.size().x) + std::size_t(x)];
+      const double n = p.samples;
+      if (!(n >= 1)) continue;
+      sum += (std::abs(double(p.radiance.x)) + std::abs(double(p.radiance.y)) + std::abs(double(p.radiance.z))) / n;
+      if (n >= 2) variance += (double(p.squares.x) + double(p.squares.y) + double(p.squares.z)) / (n * (n - 1));
+    }
+  const double values = 3.0 * (frame.crop_x1 - frame.crop_x0) * (frame.crop_y1 - frame.crop_y0);
+  return variance > 0 && sum > 0 ? std::sqrt(variance / values) / (sum / values) : 0;
+}
+
+bool plan_is_random(const RenderPlan& plan) {
+  const unsigned chance = plan.draws & ~(1u << DRAWS_NOTHING);
+  return chance != 0 || plan.frame.roulette > 0 || plan.frame.light_picks < plan.frame.light_count;
 }
 
 }  // namespace brume

@@ -1,0 +1,53 @@
+// How far off a picture is: some of its pixels, rendered in double precision by the reference, are held against it.
+#pragma once
+#include <array>
+#include <vector>
+
+#include "film/film.hpp"
+#include "flat/render_plan.hpp"
+#include "image/image.hpp"
+
+namespace brume {
+
+struct WitnessOptions {
+  int pixels = 256;
+  double seconds = 30;  // after which no further pixel is begun, once there are `least`
+  int least = 16;
+  int order = 3;  // Gauss-Legendre points between two faces of cells
+};
+
+// Places of at most `count` pixels, one anywhere in each tile of the box x0, y0, x1, y1, in random order: any first part
+// of them is spread over all of it. All pixels where there are no more.
+std::vector<std::array<int, 2>> witness_places(const std::array<int, 4>& box, int count, unsigned seed);
+
+// What the reference says of some pixels.
+struct Witnesses {
+  std::vector<std::array<int, 2>> places;
+  std::vector<std::array<double, 3>> radiance;  // their means over samples
+  int order = 0;
+};
+// By single scattering integrated between all faces of cells, whatever the plan says of methods, with the plan's own
+// samples of each pixel: the error of the integration, not that of the edges. Throws Interrupted.
+Witnesses witnesses_ask(const PlannedScene& scene, const WitnessOptions& options);
+
+// What they say of a picture: errors of its R, G, B against theirs.
+struct WitnessError {
+  int pixels = 0;  // that were compared
+  int order = 0;
+  double rel_rmse = 0;                   // over the mean of the picture
+  std::array<double, 2> interval{0, 0};  // of rel_rmse: it lies there in 95 of 100 cases
+  double max_abs = 0;                    // the largest of them: the picture's is no smaller
+  double display = 0;                    // what 99 % of the display values of them are not further off than
+};
+
+// `picture`, the crop of `frame`, as film_image gives it.
+WitnessError witnesses_compare(const Witnesses& witnesses, const Frame& frame, const Image& picture);
+
+// What chance adds to a picture, from the second moments of its pixels: the standard error of rel_rmse's kind. 0 below 2
+// samples per pixel. Where the samples of a pixel differ for other reasons too (edges), it is too large.
+double film_noise(const Film& film, const Frame& frame);
+
+// Whether a plan leaves anything to chance.
+bool plan_is_random(const RenderPlan& plan);
+
+}  // namespace brume

@@ -17,6 +17,7 @@ namespace brume {
 
 namespace {
 
+constexpr int WITNESSES = 256;
 constexpr int PLAIN_EXACT_SPP = 256;  // of a scene without media, whose only error is that of few samples
 
 // The exact picture has the samples of the point, so that an error is the method's alone and not that of the edges.
@@ -72,7 +73,7 @@ class Run {
     WitnessOptions options;
     if (request_.budget > 0) options.seconds = std::min(options.seconds, request_.budget / 4);
     const PlannedScene& scene = scene_.exact_scene(spp);
-    const Witnesses witnesses = witnesses_ask(scene, options);
+    const Witnesses witnesses = witnesses_ask(scene, witnesses_draw(exact_[spp], scene.frame, WITNESSES, 1), options);
     ChartExact& exact = chart_.exact;
     exact.method = scene_.exact_method();
     exact.spp = spp;

@@ -10,7 +10,9 @@ namespace brume {
 
 namespace {
 
-// Three digits of it, in percent: "0.314 %".
+constexpr unsigned WITNESS_SEED = 1;
+
+// Two digits of it, in percent: "0.31 %".
 std::string percent(double share) {
   char text[40];
   std::snprintf(text, sizeof text, "%.2g %%", 100 * share);
@@ -24,15 +26,15 @@ PictureError picture_error(const PlannedScene& scene, const Film& film, std::opt
   PictureError error;
   if (plan_is_random(scene)) error.noise = film_noise(film, scene.frame);
   WitnessOptions options;
-  options.pixels = asked.value_or(WITNESS_PIXELS);
   options.seconds = WITNESS_SHARE * render_seconds;
-  options.least = asked ? options.pixels : 0;
-  if (options.pixels == 0) return error;
-  const Witnesses witnesses = witnesses_ask(scene, options);
-  if (!asked && witnesses.places.size() < WITNESS_LEAST) return error;
+  options.least = asked.value_or(0);
+  if (asked == 0) return error;
   const Frame& frame = scene.frame;
-  error.witness = witnesses_compare(
-      witnesses, frame, film_image(film.cut({frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1})));
+  const Image picture = film_image(film.cut({frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1}));
+  const WitnessDraws draws = witnesses_draw(picture, frame, asked.value_or(WITNESS_PIXELS), WITNESS_SEED);
+  const Witnesses witnesses = witnesses_ask(scene, draws, options);
+  if (!asked && witnesses.draws.size() < WITNESS_LEAST) return error;
+  error.witness = witnesses_compare(witnesses, frame, picture);
   return error;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <thread>
@@ -18,54 +19,81 @@ namespace brume {
 
 namespace {
 
-using reference::rng_bits;
 using reference::rng_uniform;
 
-// Of `draws` means of as many witnesses, drawn with repetition: what 2.5 and 97.5 % of them are not above [Efron79].
-std::array<double, 2> interval_of(const std::vector<double>& squares, unsigned draws) {
-  std::vector<double> means;
-  const unsigned count = static_cast<unsigned>(squares.size());
-  for (unsigned draw = 0; draw < draws; ++draw) {
-    double sum = 0;
-    for (unsigned i = 0; i < count; ++i) sum += squares[rng_bits(i, draw, 0, 1) % count];
-    means.push_back(sum / count);
-  }
-  std::sort(means.begin(), means.end());
-  return {std::sqrt(means[means.size() / 40]), std::sqrt(means[means.size() - 1 - means.size() / 40])};
+// Standard errors on either side. 1.96 where values are normal; the spread of a hundred of which a few are large comes
+// out too small (tests/kernel/test_witness_coverage.cpp).
+constexpr double ERRORS_95 = 2.2;
+constexpr double BRIGHT_SHARE = 0.5;                // of the draws go to pixels by the square of their brightness
+constexpr double GOLDEN_RATIO = 0.618033988749895;  // multiples of it are spread over [0, 1], however many
+
+// The mean of positive values lies there in 95 of 100 cases: by its logarithm, whose error is nearer to even than that
+// of the mean where a few values are large.
+std::array<double, 2> interval_of(const std::vector<double>& values, double mean) {
+  const double n = static_cast<double>(values.size());
+  double squares = 0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  const double error = n > 1 ? std::sqrt(squares / (n * (n - 1))) : mean;
+  if (!(mean > 0)) return {0, 0};
+  const double factor = std::exp(ERRORS_95 * error / mean);
+  return {mean / factor, mean * factor};
+}
+
+// Of values that stand for as many as their weight says.
+double percentile_99(std::vector<std::array<double, 2>>& values) {
+  std::sort(values.begin(), values.end());
+  double all = 0, below = 0;
+  for (const auto& value : values) all += value[1];
+  for (const auto& value : values)
+    if ((below += value[1]) >= 0.99 * all) return value[0];
+  return values.back()[0];
 }
 
 }  // namespace
 
-std::vector<std::array<int, 2>> witness_places(const std::array<int, 4>& box, int count, unsigned seed) {
-  const int width = box[2] - box[0], height = box[3] - box[1];
-  const double side = std::max(1.0, std::sqrt(double(width) * height / count));
-  const int nx = std::clamp(static_cast<int>(width / side), 1, count), ny = std::min(height, std::max(1, count / nx));
-  std::vector<std::array<int, 2>> places;
-  for (int ty = 0; ty < ny; ++ty)
-    for (int tx = 0; tx < nx; ++tx) {
-      const unsigned tile = static_cast<unsigned>(ty * nx + tx);
-      const auto place = [&](int from, int extent, int n, int i, unsigned dimension) {
-        const int lo = extent * i / n, hi = extent * (i + 1) / n;
-        return from + lo + static_cast<int>(rng_uniform(tile, 0, dimension, seed) * (hi - lo));
-      };
-      places.push_back({place(box[0], width, nx, tx, 0), place(box[1], height, ny, ty, 1)});
-    }
-  for (std::size_t i = places.size(); i > 1; --i)
-    std::swap(places[i - 1], places[rng_bits(unsigned(i), 1, 2, seed) % i]);
-  return places;
+WitnessDraws witnesses_draw(const Image& picture, const Frame& frame, int count, unsigned seed) {
+  const std::size_t width = static_cast<std::size_t>(picture.width), pixels = width * std::size_t(picture.height);
+  const auto draw_at = [&](std::size_t pixel, double weight) {
+    return WitnessDraw{frame.crop_x0 + static_cast<int>(pixel % width), frame.crop_y0 + static_cast<int>(pixel / width),
+                       weight};
+  };
+  WitnessDraws draws;
+  if (static_cast<std::size_t>(count) >= pixels) {
+    for (std::size_t i = 0; i < pixels; ++i) draws.push_back(draw_at(i, 1));
+    return draws;
+  }
+  std::vector<double> below(pixels + 1, 0);  // Σ of squared brightness
+  for (std::size_t i = 0; i < pixels; ++i) {
+    double square = 0;
+    for (std::size_t c = 0; c < 3; ++c) square += double(picture.values[3 * i + c]) * picture.values[3 * i + c];
+    below[i + 1] = below[i] + square;
+  }
+  const double all = below[pixels];
+  for (std::size_t i = 0; i <= pixels; ++i)
+    below[i] = (1 - BRIGHT_SHARE) * double(i) / double(pixels) + (all > 0 ? BRIGHT_SHARE * below[i] / all : 0);
+  const double first = rng_uniform(0, 0, 0, seed), end = below[pixels];
+  for (int k = 0; k < count; ++k) {
+    const double u = std::fmod(first + k * GOLDEN_RATIO, 1.0) * end;
+    const std::size_t after = std::size_t(std::upper_bound(below.begin(), below.end(), u) - below.begin());
+    const std::size_t pixel = std::min(after, pixels) - 1;
+    draws.push_back(draw_at(pixel, end / (double(pixels) * (below[pixel + 1] - below[pixel]))));
+  }
+  return draws;
 }
 
-Witnesses witnesses_ask(const PlannedScene& scene, const WitnessOptions& options) {
+Witnesses witnesses_ask(const PlannedScene& scene, const WitnessDraws& draws, const WitnessOptions& options) {
   const reference::Context context(scene, {options.order, 0});
-  const Frame& frame = scene.frame;
-  const auto places = witness_places({frame.crop_x0, frame.crop_y0, frame.crop_x1, frame.crop_y1}, options.pixels, 1);
-  std::vector<std::optional<std::array<double, 3>>> all(places.size());
+  std::map<std::array<int, 2>, std::size_t> first;  // draw of each pixel: bright ones are drawn several times
+  for (std::size_t i = 0; i < draws.size(); ++i) first.emplace(std::array<int, 2>{draws[i].x, draws[i].y}, i);
+  const auto first_of = [&](std::size_t i) { return first.at({draws[i].x, draws[i].y}); };
+  std::vector<std::optional<std::array<double, 3>>> all(draws.size());
   const Stopwatch watch;
   std::atomic<std::size_t> next{0};
   const auto work = [&] {
-    for (std::size_t i = next++; i < places.size() && !interrupt_requested(); i = next++) {
+    for (std::size_t i = next++; i < draws.size() && !interrupt_requested(); i = next++) {
       if (static_cast<int>(i) >= options.least && watch.seconds() > options.seconds) return;
-      const reference::PixelD pixel = reference::pixel_render(context, places[i][0], places[i][1]);
+      if (first_of(i) != i) continue;
+      const reference::PixelD pixel = reference::pixel_render(context, draws[i].x, draws[i].y);
       const auto mean = pixel.radiance / std::max(pixel.samples, 1.0);
       all[i] = {mean.x, mean.y, mean.z};
     }
@@ -77,40 +105,40 @@ Witnesses witnesses_ask(const PlannedScene& scene, const WitnessOptions& options
   interrupt_check();
   Witnesses asked;
   asked.order = options.order;
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!all[i]) continue;  // there was no time for it
-    asked.places.push_back(places[i]);
-    asked.radiance.push_back(*all[i]);
+  for (std::size_t i = 0; i < all.size() && all[first_of(i)]; ++i) {  // up to where time ended
+    asked.draws.push_back(draws[i]);
+    asked.radiance.push_back(*all[first_of(i)]);
   }
   return asked;
 }
 
 WitnessError witnesses_compare(const Witnesses& witnesses, const Frame& frame, const Image& picture) {
   WitnessError error;
-  std::vector<double> squares, displayed;
-  for (std::size_t i = 0; i < witnesses.places.size(); ++i) {
-    const auto [x, y] = witnesses.places[i];
+  error.pixels = static_cast<int>(witnesses.draws.size());
+  error.order = witnesses.order;
+  if (error.pixels == 0) return error;
+  std::vector<double> squares;
+  std::vector<std::array<double, 2>> displayed;  // off by how much, for how many values
+  for (std::size_t i = 0; i < witnesses.draws.size(); ++i) {
+    const WitnessDraw& draw = witnesses.draws[i];
     const std::size_t at =
-        3 * (std::size_t(y - frame.crop_y0) * std::size_t(picture.width) + std::size_t(x - frame.crop_x0));
+        3 * (std::size_t(draw.y - frame.crop_y0) * std::size_t(picture.width) + std::size_t(draw.x - frame.crop_x0));
     squares.push_back(0);
     for (std::size_t c = 0; c < 3; ++c) {
       const double is = picture.values[at + c], should = witnesses.radiance[i][c], off = std::abs(is - should);
-      squares.back() += off * off / 3;
+      squares.back() += draw.weight * off * off / 3;
       error.max_abs = std::max(error.max_abs, off);
-      displayed.push_back(std::abs(film_display(float(is), 0) - film_display(float(should), 0)));
+      displayed.push_back({std::abs(film_display(float(is), 0) - film_display(float(should), 0)), draw.weight});
     }
   }
-  error.pixels = static_cast<int>(squares.size());
-  error.order = witnesses.order;
-  if (squares.empty()) return error;
   double mean = 0;
   for (const float value : picture.values) mean += std::abs(value) / double(picture.values.size());
-  const auto relative = [&](double off) { return off > 0 ? off / mean : 0; };
-  error.rel_rmse = relative(std::sqrt(std::accumulate(squares.begin(), squares.end(), 0.0) / double(squares.size())));
-  const std::array<double, 2> interval = interval_of(squares, 1000);
+  const auto relative = [&](double square) { return square > 0 ? std::sqrt(square) / mean : 0; };
+  const double square = std::accumulate(squares.begin(), squares.end(), 0.0) / double(squares.size());
+  const std::array<double, 2> interval = interval_of(squares, square);
+  error.rel_rmse = relative(square);
   error.interval = {relative(interval[0]), relative(interval[1])};
-  std::sort(displayed.begin(), displayed.end());
-  error.display = displayed[(displayed.size() * 99 + 99) / 100 - 1];
+  error.display = percentile_99(displayed);
   return error;
 }
 

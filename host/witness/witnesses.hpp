@@ -10,25 +10,32 @@
 namespace brume {
 
 struct WitnessOptions {
-  int pixels = 256;
   double seconds = 30;  // after which no further pixel is begun, once there are `least`
   int least = 16;
   int order = 3;  // Gauss-Legendre points between two faces of cells
 };
 
-// Places of at most `count` pixels, one anywhere in each tile of the box x0, y0, x1, y1, in random order: any first part
-// of them is spread over all of it. All pixels where there are no more.
-std::vector<std::array<int, 2>> witness_places(const std::array<int, 4>& box, int count, unsigned seed);
+// A pixel that is asked. It stands for `weight` of a picture of as many pixels as are drawn.
+struct WitnessDraw {
+  int x, y;
+  double weight;
+};
+using WitnessDraws = std::vector<WitnessDraw>;
 
-// What the reference says of some pixels.
+// `count` pixels of `picture`, the crop of `frame` as film_image gives it; any first part of them is spread over all of
+// it. Half are drawn evenly and half by the square of their brightness, because methods err by a share of what they
+// show; a bright pixel may be drawn more than once. All pixels, once, where there are no more than `count`.
+WitnessDraws witnesses_draw(const Image& picture, const Frame& frame, int count, unsigned seed);
+
+// What the reference says of them.
 struct Witnesses {
-  std::vector<std::array<int, 2>> places;
+  WitnessDraws draws;
   std::vector<std::array<double, 3>> radiance;  // their means over samples
   int order = 0;
 };
 // By single scattering integrated between all faces of cells, whatever the plan says of methods, with the plan's own
 // samples of each pixel: the error of the integration, not that of the edges. Throws Interrupted.
-Witnesses witnesses_ask(const PlannedScene& scene, const WitnessOptions& options);
+Witnesses witnesses_ask(const PlannedScene& scene, const WitnessDraws& draws, const WitnessOptions& options);
 
 // What they say of a picture: errors of its R, G, B against theirs.
 struct WitnessError {
@@ -40,7 +47,6 @@ struct WitnessError {
   double display = 0;                    // what 99 % of the display values of them are not further off than
 };
 
-// `picture`, the crop of `frame`, as film_image gives it.
 WitnessError witnesses_compare(const Witnesses& witnesses, const Frame& frame, const Image& picture);
 
 // What chance adds to a picture, from the second moments of its pixels: the standard error of rel_rmse's kind. 0 below 2

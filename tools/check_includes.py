@@ -23,10 +23,12 @@ HOST = {
     "film": "base shared image",
     "reference": "base shared flat plan film",
     "render": "base shared flat plan film cl",
-    "chart": "base shared scene load image flat plan cl film reference render",
+    "witness": "base shared flat plan film image reference",
+    "chart": "base shared scene load image flat plan cl film reference render witness",
     "check": "base shared scene volume flat plan film reference render cl",
     "stability": "base shared scene flat plan film reference render cl check",
-    "cli": "base shared scene volume mesh accel image load flat plan cl film reference render chart check stability",
+    "cli": "base shared scene volume mesh accel image load flat plan cl film reference render witness "
+    "chart check stability",
     "": "base cli",  # host/main.cpp
 }
 KERNELS = {

@@ -11,7 +11,6 @@
 #include "base/number_text.hpp"
 #include "base/stopwatch.hpp"
 #include "chart/analysis.hpp"
-#include "chart/witnesses.hpp"
 #include "film/film_compare.hpp"
 #include "plan/scene_hash.hpp"
 
@@ -19,6 +18,7 @@ namespace brume {
 
 namespace {
 
+constexpr int WITNESSES = 256;
 constexpr int PLAIN_EXACT_SPP = 256;  // of a scene without media, whose only error is that of few samples
 
 // The exact picture has the samples of the point, so that an error is the method's alone and not that of the edges.
@@ -70,16 +70,16 @@ class Run {
   bool begin() {
     const int spp = request_.methods.empty() ? PLAIN_EXACT_SPP : scene_.desc().film.spp;
     if (!exact_picture(spp)) return false;
-    if (chart_.exact.witnesses > 0) return true;
+    if (chart_.exact.pixels > 0) return true;
     WitnessOptions options;
     if (request_.budget > 0) options.seconds = std::min(options.seconds, request_.budget / 4);
     const PlannedScene& scene = scene_.exact_scene(spp);
-    const Witnesses witnesses = witnesses_ask(scene, options);
+    const Witnesses witnesses = witnesses_ask(scene, witnesses_draw(exact_[spp], scene.frame, WITNESSES, 1), options);
     ChartExact& exact = chart_.exact;
     exact.method = scene_.exact_method();
     exact.spp = spp;
     exact.seconds = exact_seconds_;
-    witnesses_compare(witnesses, scene.frame, exact_[spp], exact);
+    static_cast<WitnessError&>(exact) = witnesses_compare(witnesses, scene.frame, exact_[spp]);
     return exact_refine(spp, witnesses) && go_on();
   }
 
@@ -95,7 +95,7 @@ class Run {
     ChartExact exact = chart_.exact;
     exact.method = "march_midpoint, step " + number_text(fine.render.step, 3);
     exact.seconds = picture->seconds;
-    witnesses_compare(witnesses, scene_.exact_scene(spp).frame, picture->image, exact);
+    static_cast<WitnessError&>(exact) = witnesses_compare(witnesses, scene_.exact_scene(spp).frame, picture->image);
     if (exact.rel_rmse < chart_.exact.rel_rmse) {
       chart_.exact = exact;
       exact_[spp] = std::move(picture->image);

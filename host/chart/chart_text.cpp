@@ -61,7 +61,7 @@ Json exact_json(const ChartExact& e) {
           {"spp", e.spp},
           {"seconds", e.seconds},
           {"witness",
-           {{"pixels", e.witnesses},
+           {{"pixels", e.pixels},
             {"gauss_points", e.order},
             {"rel_rmse", e.rel_rmse},
             {"interval95", e.interval},
@@ -134,7 +134,7 @@ ChartExact exact_read(const JsonValue& json) {
   e.spp = json.get("spp").as_integer(1, MANY);
   e.seconds = json.get("seconds").as_number(SECONDS);
   const JsonValue witness = json.get("witness");
-  e.witnesses = witness.get("pixels").as_integer(0, MANY);
+  e.pixels = witness.get("pixels").as_integer(0, MANY);
   e.order = witness.get("gauss_points").as_integer(0, MANY);
   e.rel_rmse = witness.get("rel_rmse").as_number(COUNTS);
   e.max_abs = witness.get("max_abs").as_number(COUNTS);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "chart/knobs.hpp"
+#include "witness/witnesses.hpp"
 
 namespace brume {
 
@@ -22,14 +23,10 @@ struct ChartPoint {
 };
 
 // The exact picture and what double-precision pixels say of it.
-struct ChartExact {
+struct ChartExact : WitnessError {
   std::string method;
   int spp = 1;
   double seconds = 0;
-  int witnesses = 0;                     // pixels that were compared
-  int order = 0;                         // Gauss-Legendre points between two faces of cells that they took
-  double rel_rmse = 0, max_abs = 0;      // of them, over the mean of the picture
-  std::array<double, 2> interval{0, 0};  // of rel_rmse: 95 % of the draws of as many pixels
 };
 
 // log(error) against log(knob), beside what theory says.

@@ -51,7 +51,8 @@ void attempt(std::string& failures, const std::filesystem::path& file, Write wri
 
 // cover: where the picture is one in part, what of it there is.
 void write_outputs(const RenderArguments& arguments, const SceneDesc& desc, const PlannedScene& flat, const Film& film,
-                   const SampleCover* cover, const Context& context, const RenderStats& stats, std::string& failures) {
+                   const SampleCover* cover, const Context& context, const RenderStats& stats,
+                   const PictureError& error, std::string& failures) {
   FilmWriteOptions options;
   options.cover = cover;
   options.exposure = desc.film.exposure;
@@ -61,7 +62,7 @@ void write_outputs(const RenderArguments& arguments, const SceneDesc& desc, cons
   const Film trimmed =
       arguments.trim ? film.cut({frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1}) : Film({0, 0});
   if (!arguments.trim) options.window = {frame.crop_x0, frame.crop_y0, frame.crop_x1, frame.crop_y1};
-  options.metadata = render_metadata(desc, flat, context.device(), stats);
+  options.metadata = render_metadata(desc, flat, context.device(), stats, error);
   if (cover) {
     options.window = cover->window(film.size().x);
     for (const auto& entry : part_metadata(desc, flat))
@@ -102,9 +103,10 @@ std::string resume_hint(const std::filesystem::path& file) {
   return file.empty() ? "" : "; the same command with --resume " + file.string() + " goes on";
 }
 
-// With progress, until Ctrl-C; where the device does not answer that, what is done is written from outside.
+// With progress, until Ctrl-C; where the device does not answer that, what is done is written from outside. Then, of a
+// picture that is complete, `measure`.
 bool render_film(const RenderArguments& arguments, Renderer& renderer, const WorkList& work, Film& film,
-                 const std::function<void()>& write) {
+                 const std::function<void()>& write, const std::function<void()>& measure) {
   if (work.empty()) return true;
   ProgressBar bar(arguments.quiet);
   const InterruptRescue rescue([&] {
@@ -119,6 +121,7 @@ bool render_film(const RenderArguments& arguments, Renderer& renderer, const Wor
     bar.show(share);
     return !interrupt_requested();
   });
+  if (complete) measure();
   interrupt_claim();
   if (renderer.stats().primary_rays == 0) throw Interrupted("interrupted before a pixel was done; nothing is written");
   return complete;
@@ -149,7 +152,7 @@ int render_run(RenderArguments arguments) {
   const DeviceInfo device = chosen ? *chosen : device_choose(arguments.device);
   const int lanes = lanes_choose(device, arguments.lanes);
   const PlannedScene flat = with_memory(input, [&] {
-    return flatten(desc, loaded, {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha});
+    return flatten(desc, loaded, {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha, arguments.witness != 0});
   });
   loaded = {};  // one picture needs the files no longer
   std::vector<std::string> notes = flat.all_notes();
@@ -165,6 +168,7 @@ int render_run(RenderArguments arguments) {
 
   Context context(device);
   Renderer renderer(context, flat, {lanes, arguments.generic, 0});
+  PictureError error;
   const auto write = [&](bool complete) {
     const std::size_t told = notes.size();
     if (renderer.stats().dropped_rays > 0) notes.push_back(dropped_note(renderer.stats()));
@@ -173,20 +177,30 @@ int render_run(RenderArguments arguments) {
     std::string failures;
     std::optional<SampleCover> cover;
     if (!part_file.empty() && (arguments.in_part() || !complete)) cover = cover_after(part.cover, work, film);
-    write_outputs(arguments, desc, flat, film, cover ? &*cover : nullptr, context, renderer.stats(), failures);
+    write_outputs(arguments, desc, flat, film, cover ? &*cover : nullptr, context, renderer.stats(), error, failures);
     times.total_s = total.seconds();
     if (!arguments.stats.empty())
-      attempt(failures, arguments.stats,
-              [&] { atomic_write(arguments.stats, render_stats_json(desc, flat, device, renderer.stats(), times)); });
+      attempt(failures, arguments.stats, [&] {
+        atomic_write(arguments.stats, render_stats_json(desc, flat, device, renderer.stats(), error, times));
+      });
     if (!failures.empty()) throw RuntimeError(failures);
   };
-  const bool complete = render_film(arguments, renderer, work, film, [&] {
+  const auto rescue = [&] {
     write(false);
     std::fprintf(stderr, "brume: %s\n",
                  text_printable("what was done has been written" + resume_hint(part_file)).c_str());
+  };
+  bool unknown = false;  // an interruption left the error of a complete picture open
+  const bool complete = render_film(arguments, renderer, work, film, rescue, [&] {
+    try {
+      if (arguments.samples.empty()) error = picture_error(flat, film, arguments.witness, renderer.stats().render_s);
+    } catch (const Interrupted&) {
+      unknown = true;
+    }
   });
   write(complete);
-  say(arguments, render_summary(desc, flat, device, renderer.stats(), times));
+  say(arguments, render_summary(desc, flat, device, renderer.stats(), error, times));
+  if (unknown) throw Interrupted("interrupted; the picture is complete and written, its error is not known");
   if (!complete) throw Interrupted("interrupted; what was done has been written" + resume_hint(part_file));
   return arguments.strict && !notes.empty() ? 1 : 0;
 }

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "cli/file_kind.hpp"
+#include "cli/picture_error.hpp"
 #include "film/film.hpp"
 #include "film/film_display.hpp"
 #include "scene/families.hpp"
@@ -62,6 +63,11 @@ void RenderArguments::add_options(CLI::App& command) {
   command.add_option("--method", method, "Transmittance method: auto, " + family_names(method_family()));
   command.add_option("--step", step, "Marching step as a share of the medium's longest side");
   command.add_option("--shadow", shadow, "Light inside media: auto, " + family_names(shadow_family()));
+  command
+      .add_option("--witness", witness,
+                  "Pixels that are rendered in double precision to say how far off the picture is; 0: none. Default: " +
+                      std::to_string(WITNESS_PIXELS) + ", as far as they take a twentieth of the render's time")
+      ->check(CLI::NonNegativeNumber);
   command.add_option("--max-error", max_error, "Accuracy to reach (not available yet)");
   command.add_option("--save-scene", save_scene, "Write the scene that was rendered, to go on from");
   command.add_option("--stats", stats, "Write times, counts and memory as JSON");

@@ -22,7 +22,7 @@ struct RenderArguments {
   std::vector<std::filesystem::path> outputs;
   std::string size, crop, samples, method, shadow, device, aov;
   std::optional<double> exposure, step, max_error;
-  std::optional<int> spp, seed;
+  std::optional<int> spp, seed, witness;
   int lanes = 0;  // 0: the device's choice
   bool generic = false, quiet = false, strict = false;
   bool trim = false, alpha = false, partial = false;

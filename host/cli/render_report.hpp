@@ -3,6 +3,7 @@
 #include <string>
 
 #include "cl/device.hpp"
+#include "cli/picture_error.hpp"
 #include "image/image.hpp"
 #include "plan/render_plan.hpp"
 #include "render/renderer.hpp"
@@ -16,14 +17,14 @@ struct RunTimes {
 };
 
 std::string render_stats_json(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,
-                              const RenderStats& stats, const RunTimes& times);
+                              const RenderStats& stats, const PictureError& error, const RunTimes& times);
 ImageMetadata render_metadata(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,
-                              const RenderStats& stats);
+                              const RenderStats& stats, const PictureError& error);
 // What is told where reflected and refracted rays were dropped.
 std::string dropped_note(const RenderStats& stats);
 // What is told where samples were left out.
 std::string invalid_note(const RenderStats& stats);
 std::string render_summary(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,
-                           const RenderStats& stats, const RunTimes& times);
+                           const RenderStats& stats, const PictureError& error, const RunTimes& times);
 
 }  // namespace brume

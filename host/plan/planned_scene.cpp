@@ -9,7 +9,7 @@ PlannedScene flatten(const SceneDesc& desc, LoadedScene& loaded, const FlattenOp
   PlannedScene scene;
   static_cast<FlatScene&>(scene) = scene_flatten(desc, loaded, options.bvh_width);
   static_cast<RenderPlan&>(scene) = plan_render(desc, scene, {options.crop, options.hide_background});
-  if (scene.storage == STORAGE_F32 || scene.voxels.empty()) return scene;
+  if (options.keep_voxels || scene.storage == STORAGE_F32 || scene.voxels.empty()) return scene;
   const auto stored = std::make_shared<StoredVoxels>(voxels_store(scene, scene.storage, scene.voxels));
   scene.brick_ranges = stored->ranges;
   scene.stored = stored;

@@ -12,6 +12,7 @@ struct FlattenOptions {
   int bvh_width = 4;
   std::array<int, 4> crop{0, 0, 0, 0};  // as in PlanOptions
   bool hide_background = false;
+  bool keep_voxels = false;  // as given, whatever the storage: devices pack them for themselves
 };
 
 // A scene for one picture, with its plan.

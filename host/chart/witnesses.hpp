@@ -13,8 +13,8 @@ struct WitnessOptions {
 };
 inline constexpr int WITNESSES_LEAST = 16;
 
-// Places of at most `count` pixels, one anywhere in each tile of the box x0, y0, x1, y1, in random order: any first part
-// of them is spread over all of it. All pixels where there are no more.
+// Places of at most `count` pixels, one anywhere in each tile of the box x0, y0, x1, y1, in random order: any first
+// part of them is spread over all of it. All pixels where there are no more.
 std::vector<std::array<int, 2>> witness_places(const std::array<int, 4>& box, int count, unsigned seed);
 
 // What the reference says of some pixels.

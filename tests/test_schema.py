@@ -50,7 +50,7 @@ BROKEN = {
 
 
 # What the full scene cannot hold: it has one camera, images are written as their path, and this is not available yet.
-NOT_IN_FULL = {"perspective", "vfov", "image", "max_error"}
+NOT_IN_FULL = {"perspective", "vfov", "image", "time_budget"}
 
 
 def names_in_schema(node):

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/interrupt.hpp"
 #include "base/stopwatch.hpp"
 #include "film/film_write.hpp"
 #include "flat/flatten.hpp"
@@ -113,6 +114,19 @@ std::optional<ChartPicture> ChartScene::render(const SceneDesc& set, bool timed,
   }
   times_reduce(times.empty() ? std::vector<double>{first} : times, picture);
   return picture;
+}
+
+ChartScene::PixelTimes ChartScene::render_pixels(const SceneDesc& set, Film& film, const WorkList& work) {
+  Stage& its = stage(set);
+  const RenderPlan plan = plan_render(set, its.scene, {options_.crop, false});
+  Renderer renderer(context_, its.device, plan, {options_.lanes, options_.generic, 0});
+  if (!renderer.render(film, work, [](double) { return !interrupt_requested(); })) interrupt_check();
+  PixelTimes times;
+  for (const PassStats& pass : renderer.stats().passes) {
+    if (pass.name == "light_grid") times.once = pass.seconds;
+  }
+  times.pixels = renderer.stats().render_s - times.once;
+  return times;
 }
 
 std::optional<ChartPicture> ChartScene::render_timed(const SceneDesc& set, const Progress& go_on) {

@@ -49,6 +49,13 @@ class ChartScene {
   std::optional<ChartPicture> render_timed(const SceneDesc& set, const Progress& go_on);
   std::optional<ChartPicture> render_once(const SceneDesc& set, const Progress& go_on);
 
+  // The samples of some pixels, added to a film of the scene's size. Seconds: of what is done once, whatever the pixels
+  // (light grids), and of the pixels.
+  struct PixelTimes {
+    double once = 0, pixels = 0;
+  };
+  PixelTimes render_pixels(const SceneDesc& set, Film& film, const WorkList& work);
+
   // The exact picture's scene and plan: what witnesses are rendered of.
   const PlannedScene& exact_scene(int spp);
   std::string exact_method();  // of its media: "dda_gauss2, homogeneous"

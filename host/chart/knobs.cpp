@@ -63,9 +63,7 @@ std::vector<double> steps_of(const MethodRow& row, Steps steps, const KnobLimits
   const int finest = finest_step(limits);
   if (steps == CELL_STEP) return {std::exp2(1 - finest)};
   if (steps == COARSE_STEP) return {std::exp2(3 - finest)};
-  std::vector<double> all;
-  for (int k = COARSEST; k <= finest; ++k) all.push_back(std::exp2(-k));
-  return all;
+  return steps_halving(limits, 0);
 }
 
 std::vector<int> grids_of(Grids grids, const KnobLimits& limits) {
@@ -164,6 +162,12 @@ std::vector<Knobs> knobs_list(const std::vector<int>& methods, const KnobLimits&
   for (const Sweep& sweep : SWEEPS)
     for (const int method : methods) sweep_add(sweep, method, limits, spp, known, list);
   return list;
+}
+
+std::vector<double> steps_halving(const KnobLimits& limits, int beyond) {
+  std::vector<double> all;
+  for (int k = COARSEST; k <= finest_step(limits) + beyond; ++k) all.push_back(std::exp2(-k));
+  return all;
 }
 
 SceneDesc exact_desc(const SceneDesc& desc, int spp) {

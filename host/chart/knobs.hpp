@@ -39,6 +39,10 @@ std::vector<int> methods_fitting(const SceneDesc& desc, const std::vector<int>& 
 // Every setting once, coarse ones of each sweep first. methods: empty for a scene without media.
 std::vector<Knobs> knobs_list(const std::vector<int>& methods, const KnobLimits& limits, int spp);
 
+// Steps as shares of a side, each half of the one before, from coarse ones to half a cell of the finest grid (of
+// constant densities: 1/128) and `beyond` halvings further.
+std::vector<double> steps_halving(const KnobLimits& limits, int beyond);
+
 // The most exact that there is: no steps where none are needed, light traced from every light, nothing left to chance.
 SceneDesc exact_desc(const SceneDesc& desc, int spp);
 // The same by steps of a fraction of a cell: what light does inside of a cell, which the methods that are exact for

@@ -6,6 +6,7 @@
 
 #include "film/film.hpp"
 #include "plan/render_plan.hpp"
+#include "scene/scene_desc.hpp"
 #include "witness/witnesses.hpp"
 
 namespace brume {
@@ -18,15 +19,16 @@ struct PictureError {
 inline constexpr int WITNESS_PIXELS = 256;     // asked where --witness does not say
 inline constexpr double WITNESS_SHARE = 0.05;  // of the time of the render, which they may then take
 inline constexpr int WITNESS_LEAST = 16;       // fewer say nothing
+inline constexpr int WITNESS_GOAL_LEAST = 48;  // whatever time they take, where an error is to be reached
 
 // `asked`: pixels, 0 none; nothing: WITNESS_PIXELS as far as WITNESS_SHARE allows. The scene has its voxels as given.
 // Throws Interrupted.
-PictureError picture_error(const PlannedScene& scene, const Film& film, std::optional<int> asked,
-                           double render_seconds);
+PictureError picture_error(const PlannedScene& scene, const Film& film, std::optional<int> asked, double render_seconds,
+                           const RenderDesc& goal);
 
 // "error 0.31 % ± 0.04 %, noise 0.2 %"; empty where neither is known.
 std::string picture_error_text(const PictureError& error);
-// Of --stats: metric, estimate, interval, … ; null where it is not known.
-nlohmann::ordered_json picture_error_json(const PictureError& error);
+// Of --stats: metric (that of the goal), estimate, interval (of rel_rmse), …; null where it is not known.
+nlohmann::ordered_json picture_error_json(const PictureError& error, const RenderDesc& goal);
 
 }  // namespace brume

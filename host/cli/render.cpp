@@ -16,6 +16,7 @@
 #include "cli/command.hpp"
 #include "cli/file_kind.hpp"
 #include "cli/output_files.hpp"
+#include "cli/picture_goal.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_arguments.hpp"
 #include "cli/render_part.hpp"
@@ -142,23 +143,31 @@ int render_run(RenderArguments arguments) {
   const std::string input = arguments.scene.string();
   LoadedScene loaded;
   loaded.needed_again = false;  // one picture needs the files no longer
+  const auto told = [&](const std::string& text) { say(arguments, text); };
   const std::optional<DeviceInfo> chosen = choose_beside_volume(arguments);
-  const SceneDesc desc = with_memory(
-      input, [&] { return scene_describe(arguments, loaded, [&](const std::string& text) { say(arguments, text); }); });
-  check_part(arguments, desc.film.size);
-  if (!arguments.save_scene.empty())
-    atomic_write(arguments.save_scene, scene_write(desc, arguments.save_scene.parent_path()));
+  const SceneDesc asked = with_memory(input, [&] { return scene_describe(arguments, loaded, told); });
+  check_part(arguments, asked.film.size);
 
   const DeviceInfo device = chosen ? *chosen : device_choose(arguments.device);
   const int lanes = lanes_choose(device, arguments.lanes);
+  Context context(device);
+  std::vector<std::string> notes;
+  RunTimes times;
+  const Stopwatch pilot;
+  loaded.needed_again = asked.render.has_goal();
+  const SceneDesc desc =
+      with_memory(input, [&] { return picture_for_goal(arguments, asked, loaded, context, lanes, notes, told); });
+  if (!arguments.save_scene.empty())
+    atomic_write(arguments.save_scene, scene_write(desc, arguments.save_scene.parent_path()));
+  times.pilot_s = pilot.seconds();
+  loaded.needed_again = false;
   const PlannedScene flat = with_memory(input, [&] {
     return flatten(desc, loaded, {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha, arguments.witness != 0});
   });
   loaded = {};  // one picture needs the files no longer
-  std::vector<std::string> notes = flat.all_notes();
+  for (const std::string& note : flat.all_notes()) notes.push_back(note);
   for (const std::string& note : notes) say(arguments, "note: " + note);
-  RunTimes times;
-  times.load_s = lap.lap();
+  times.load_s = lap.lap() - times.pilot_s;
 
   FilmPart part =
       with_memory("a film of " + size_text(desc.film.size), [&] { return part_begin(arguments.resume, desc, flat); });
@@ -166,14 +175,14 @@ int render_run(RenderArguments arguments) {
   const WorkList work = work_missing(flat.frame, samples_parse(arguments.samples, desc.film.spp), part.cover);
   const std::filesystem::path part_file = part_output(arguments, desc.film.size);
 
-  Context context(device);
   Renderer renderer(context, flat, {lanes, arguments.generic, 0});
   PictureError error;
   const auto write = [&](bool complete) {
-    const std::size_t told = notes.size();
+    const std::size_t known = notes.size();
     if (renderer.stats().dropped_rays > 0) notes.push_back(dropped_note(renderer.stats()));
     if (renderer.stats().invalid_samples > 0) notes.push_back(invalid_note(renderer.stats()));
-    for (std::size_t i = told; i < notes.size(); ++i) say(arguments, "note: " + notes[i]);
+    if (const std::string note = goal_missed_note(desc.render, error.witness); !note.empty()) notes.push_back(note);
+    for (std::size_t i = known; i < notes.size(); ++i) say(arguments, "note: " + notes[i]);
     std::string failures;
     std::optional<SampleCover> cover;
     if (!part_file.empty() && (arguments.in_part() || !complete)) cover = cover_after(part.cover, work, film);
@@ -193,7 +202,8 @@ int render_run(RenderArguments arguments) {
   bool unknown = false;  // an interruption left the error of a complete picture open
   const bool complete = render_film(arguments, renderer, work, film, rescue, [&] {
     try {
-      if (arguments.samples.empty()) error = picture_error(flat, film, arguments.witness, renderer.stats().render_s);
+      if (arguments.samples.empty())
+        error = picture_error(flat, film, arguments.witness, renderer.stats().render_s, desc.render);
     } catch (const Interrupted&) {
       unknown = true;
     }

@@ -68,7 +68,10 @@ void RenderArguments::add_options(CLI::App& command) {
                   "Pixels that are rendered in double precision to say how far off the picture is; 0: none. Default: " +
                       std::to_string(WITNESS_PIXELS) + ", as far as they take a twentieth of the render's time")
       ->check(CLI::NonNegativeNumber);
-  command.add_option("--max-error", max_error, "Accuracy to reach (not available yet)");
+  command.add_option("--max-error", max_error,
+                     "Choose method, step and light grid that reach this error soonest; --method restricts the choice");
+  command.add_option("--error-metric", error_metric, "Which error: " + family_names(error_metric_family()));
+  command.add_option("--time-budget", time_budget, "Choose what comes closest in so many seconds of rendering");
   command.add_option("--save-scene", save_scene, "Write the scene that was rendered, to go on from");
   command.add_option("--stats", stats, "Write times, counts and memory as JSON");
   command.add_flag("--strict", strict, "Exit 1, after writing, if anything had to be noted");
@@ -89,6 +92,8 @@ std::vector<std::string> RenderArguments::all_overrides() const {
   if (seed) all.push_back("/render/seed=" + std::to_string(*seed));
   if (step) all.push_back("/render/step=" + number(*step));
   if (max_error) all.push_back("/render/max_error=" + number(*max_error));
+  if (time_budget) all.push_back("/render/time_budget=" + number(*time_budget));
+  if (!error_metric.empty()) all.push_back("/render/error_metric=\"" + error_metric + "\"");
   if (!method.empty()) all.push_back("/render/method=\"" + method + "\"");
   if (!shadow.empty()) all.push_back("/render/shadow=\"" + shadow + "\"");
   return all;

@@ -20,8 +20,8 @@ std::vector<Aov> aovs_parse(const std::string& text);
 struct RenderArguments {
   std::filesystem::path scene;
   std::vector<std::filesystem::path> outputs;
-  std::string size, crop, samples, method, shadow, device, aov;
-  std::optional<double> exposure, step, max_error;
+  std::string size, crop, samples, method, shadow, device, aov, error_metric;
+  std::optional<double> exposure, step, max_error, time_budget;
   std::optional<int> spp, seed, witness;
   int lanes = 0;  // 0: the device's choice
   bool generic = false, quiet = false, strict = false;

@@ -56,6 +56,7 @@ std::string render_stats_json(const SceneDesc& desc, const PlannedScene& flat, c
       {"spp", desc.film.spp},
       {"kernel_build_s", stats.kernel_build_s},
       {"load_s", times.load_s},
+      {"pilot_s", times.pilot_s},
       {"upload_s", stats.upload_s},
       {"render_s", stats.render_s},
       {"total_s", times.total_s},
@@ -70,7 +71,7 @@ std::string render_stats_json(const SceneDesc& desc, const PlannedScene& flat, c
       {"passes", passes},
       {"memory",
        {{"device_bytes", stats.device_bytes}, {"voxel_bytes", stats.voxel_bytes}, {"bvh_bytes", stats.bvh_bytes}}},
-      {"error", picture_error_json(error)}};
+      {"error", picture_error_json(error, desc.render)}};
   return json_line(json, 2) + "\n";
 }
 

@@ -13,6 +13,7 @@ namespace brume {
 
 struct RunTimes {
   double load_s = 0;   // reading the scene and its files, flattening
+  double pilot_s = 0;  // choosing settings for a goal
   double total_s = 0;  // process start to last file written
 };
 

@@ -112,7 +112,8 @@ Witnesses witnesses_ask(const PlannedScene& scene, const WitnessDraws& draws, co
   return asked;
 }
 
-WitnessError witnesses_compare(const Witnesses& witnesses, const Frame& frame, const Image& picture) {
+WitnessError witnesses_compare(const Witnesses& witnesses, const std::vector<std::array<double, 3>>& shown,
+                               double mean) {
   WitnessError error;
   error.pixels = static_cast<int>(witnesses.draws.size());
   error.order = witnesses.order;
@@ -120,19 +121,15 @@ WitnessError witnesses_compare(const Witnesses& witnesses, const Frame& frame, c
   std::vector<double> squares;
   std::vector<std::array<double, 2>> displayed;  // off by how much, for how many values
   for (std::size_t i = 0; i < witnesses.draws.size(); ++i) {
-    const WitnessDraw& draw = witnesses.draws[i];
-    const std::size_t at =
-        3 * (std::size_t(draw.y - frame.crop_y0) * std::size_t(picture.width) + std::size_t(draw.x - frame.crop_x0));
+    const double weight = witnesses.draws[i].weight;
     squares.push_back(0);
     for (std::size_t c = 0; c < 3; ++c) {
-      const double is = picture.values[at + c], should = witnesses.radiance[i][c], off = std::abs(is - should);
-      squares.back() += draw.weight * off * off / 3;
+      const double is = shown[i][c], should = witnesses.radiance[i][c], off = std::abs(is - should);
+      squares.back() += weight * off * off / 3;
       error.max_abs = std::max(error.max_abs, off);
-      displayed.push_back({std::abs(film_display(float(is), 0) - film_display(float(should), 0)), draw.weight});
+      displayed.push_back({std::abs(film_display(float(is), 0) - film_display(float(should), 0)), weight});
     }
   }
-  double mean = 0;
-  for (const float value : picture.values) mean += std::abs(value) / double(picture.values.size());
   const auto relative = [&](double square) { return square > 0 ? std::sqrt(square) / mean : 0; };
   const double square = std::accumulate(squares.begin(), squares.end(), 0.0) / double(squares.size());
   const std::array<double, 2> interval = interval_of(squares, square);
@@ -140,6 +137,18 @@ WitnessError witnesses_compare(const Witnesses& witnesses, const Frame& frame, c
   error.interval = {relative(interval[0]), relative(interval[1])};
   error.display = percentile_99(displayed);
   return error;
+}
+
+WitnessError witnesses_compare(const Witnesses& witnesses, const Frame& frame, const Image& picture) {
+  std::vector<std::array<double, 3>> shown;
+  for (const WitnessDraw& draw : witnesses.draws) {
+    const float* its = &picture.values[3 * (std::size_t(draw.y - frame.crop_y0) * std::size_t(picture.width) +
+                                            std::size_t(draw.x - frame.crop_x0))];
+    shown.push_back({its[0], its[1], its[2]});
+  }
+  double mean = 0;
+  for (const float value : picture.values) mean += std::abs(value) / double(picture.values.size());
+  return witnesses_compare(witnesses, shown, mean);
 }
 
 double film_noise(const Film& film, const Frame& frame) {

@@ -47,7 +47,8 @@ inline const char* const SCENE_FULL = R"({
     {"interpolation": "trilinear", "density": {"type": "exponential", "resolution": [4, 4, 4]},
      "sigma_a": [1, 1, 1], "sigma_s": [0, 0, 0], "emission": [0, 0, 0], "phase": {"type": "isotropic"}}],
   "render": {"method": "march_midpoint", "step": 0.125, "in_scattering": "segment", "shadow": "trace", "light_grid": 32,
-    "storage": "u8", "light_samples": 16, "roulette": 0.25, "max_depth": 3, "seed": 7}
+    "storage": "u8", "light_samples": 16, "roulette": 0.25, "max_depth": 3, "seed": 7, "max_error": 0.01,
+    "error_metric": "display"}
 })";
 
 inline SceneDesc scene_of(const std::string& text, const std::vector<std::string>& overrides = {}) {

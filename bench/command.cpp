@@ -39,7 +39,8 @@ int bench_run(const BenchArguments& arguments) {
   const Scratch scratch;
   const std::vector<Workload> all = workloads(scratch.path(), arguments.size);
   const DeviceInfo device = device_choose(arguments.device);
-  Results results{VERSION, device.title(), device.driver, lanes_choose(device, 0), arguments.size, {}};
+  Results results{VERSION, device.title(), device.driver, device.compute_units, lanes_choose(device, 0), arguments.size,
+                  {}};
   const std::string side = std::to_string(results.size);
   const auto begin = [&] {
     print(device.title() + ", driver " + device.driver + ", " + std::to_string(results.lanes) + " lanes, " + side +

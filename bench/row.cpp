@@ -66,6 +66,7 @@ std::string results_json(const Results& results) {
   return json_text({{"version", results.version},
                     {"device", results.device},
                     {"driver", results.driver},
+                    {"units", results.units},
                     {"lanes", results.lanes},
                     {"size", results.size},
                     {"benchmarks", rows}});
@@ -76,11 +77,12 @@ Results results_read(const std::filesystem::path& file) {
       json_parse(file_read_text(file, FILE_BYTES_MAX, "a result of brume bench"), file.string());
   const JsonValue value(json, file.string());
   value.expect_object();
-  for (const char* key : {"version", "device", "driver", "lanes", "size", "benchmarks"})
+  for (const char* key : {"version", "device", "driver", "units", "lanes", "size", "benchmarks"})
     if (!value.has(key)) value.fail(std::string("no result of brume bench: it has no '") + key + "'");
   Results results{text_printable(value.get("version").as_string()),
                   text_printable(value.get("device").as_string()),
                   text_printable(value.get("driver").as_string()),
+                  value.integer("units", 0, 1, 1 << 20),
                   value.integer("lanes", 0, 1, 16),
                   value.integer("size", 0, 1, 1 << 20),
                   {}};

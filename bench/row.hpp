@@ -19,7 +19,7 @@ struct Row {
 // What the rows were measured on: those of another size, device or lanes are other rows.
 struct Results {
   std::string version, device, driver;
-  int lanes = 0, size = 0;
+  int units = 0, lanes = 0, size = 0;  // cores of the device; pixels a side
   std::vector<Row> rows;
 
   const Row* find(const std::string& name) const;

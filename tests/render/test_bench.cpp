@@ -17,7 +17,8 @@ class Bench : public Program {
   }
 
   void write_results(const std::string& name, const Json& rows, int size = 512, const char* version = "1") const {
-    const Json all{{"version", version}, {"device", "a device"}, {"driver", "1"}, {"lanes", 8}, {"size", size}};
+    const Json all{{"version", version}, {"device", "a device"}, {"driver", "1"},
+                   {"units", 2},         {"lanes", 8},           {"size", size}};
     Json results = all;
     results["benchmarks"] = rows;
     write(name, results.dump());

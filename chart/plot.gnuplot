@@ -1,6 +1,6 @@
-# chart.svg and chart.png of `brume chart`. brume puts before it: chart_title, floor (the exact picture's own error), methods
-# (their names) svg_file, png_file, n_peers and the data blocks $points (one of two columns, seconds and error, per method; an index each), $front and
-# $peers (with a third column, the name).
+# chart.svg and chart.png of `brume chart`. brume puts before it: chart_title, floor (the exact picture's own error),
+# methods (their names), svg_file, png_file, n_peers and the data blocks $points (two columns, seconds and error; an
+# index for each method), $front and $peers (with a third column, the name).
 set logscale xy
 set format "%g"
 set xlabel "seconds of a render"
@@ -20,12 +20,14 @@ if (floor > 0) {
 }
 # One shape and one brightness each: they are told apart in grey. The front is the thick line.
 array shapes[11] = [12, 4, 8, 10, 6, 14, 1, 2, 3, 5, 7]
-array colors[11] = [0x000000, 0x0b5394, 0xd9822b, 0x8fbc5a, 0x7b1fa2, 0xc2185b, 0x4db6ac, 0xf2c14e, 0x5d4037, 0x9e9e9e, 0x2e7d32]
+array colors[11] = [0x000000, 0x0b5394, 0xd9822b, 0x8fbc5a, 0x7b1fa2, 0xc2185b, 0x4db6ac, 0xf2c14e, 0x5d4037, \
+  0x9e9e9e, 0x2e7d32]
 draw = 'plot $front using 1:2 with lines lw 4 lc rgb "#999999" title "nothing quicker and closer", \
-  for [i=1:words(methods)] $points index i-1 using 1:2 with points pt shapes[i] ps 1.3 lw 1.6 lc rgb colors[i] title word(methods, i)'
+  for [i=1:words(methods)] $points index i-1 using 1:2 \
+    with points pt shapes[i] ps 1.3 lw 1.6 lc rgb colors[i] title word(methods, i)'
 if (n_peers > 0) {
   draw = draw.', $peers using 1:2 with points pt 7 ps 1.6 lc rgb "#111111" title "other programs", \
-    $peers using 1:2:3 with labels left offset 1, 0 notitle'
+    $peers using 1:2:3 with labels left offset 1, 0 noenhanced notitle'
 }
 set terminal svg size 1000, 640 font "sans-serif,13" background "#ffffff"
 set output svg_file

@@ -38,7 +38,7 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   brume::Command command;
   brume::command_render(app, command);
-  brume::command_chart(app, command);
+  brume::command_chart(app, command, {brume::chart_peers_check, brume::chart_peers});
   brume::command_check(app, command);
   brume::command_devices(app, command);
   brume::command_info(app, command);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The page of a chart in a real browser, headless Chromium: sorts its table, clicks a mark and a row, and looks at what is
-shown then. Long: a chart is measured first. Usage: test_chart_page.py BRUME"""
+"""The page of a chart in a real browser, headless Chromium: sorts its table, clicks a mark and a row, and looks at what
+is shown then. Long: a chart is measured first. Usage: test_chart_page.py BRUME"""
 import html
 import json
 import re
@@ -12,7 +12,8 @@ import unittest
 from pathlib import Path
 
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-BRUME = Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent / "build" / "brume"
+BUILT = Path(__file__).resolve().parent.parent / "build" / "brume"
+BRUME = Path(sys.argv.pop(1)).resolve() if len(sys.argv) > 1 else BUILT
 SCENE = {"camera": {"eye": [1.5, 1.2, 3]}, "film": {"size": [24, 18]},
          "lights": [{"type": "directional", "direction": [1, -1, -0.5], "irradiance": 5}],
          "media": [{"density": {"type": "perlin", "resolution": [16, 16, 16]}, "sigma_a": 0.2, "sigma_s": 1}]}
@@ -29,14 +30,17 @@ window.addEventListener("load", async () => {
   const shown = async () => {
     const images = ["exact", "picture", "error"].map(id => document.getElementById(id));
     await Promise.all(images.map(i => i.decode()));
-    return {sizes: images.map(i => [i.naturalWidth, i.naturalHeight]), seen: images.map(i => i.getBoundingClientRect().width > 50),
+    return {sizes: images.map(i => [i.naturalWidth, i.naturalHeight]),
+      seen: images.map(i => i.getBoundingClientRect().width > 50),
       picture: images[1].src, error: images[2].src, caption: document.getElementById("caption").textContent,
-      rows: [...document.querySelectorAll(".row-chosen")].map(r => r.dataset.id), marks: [...document.querySelectorAll(".chosen")].map(m => m.dataset.id)};
+      rows: [...document.querySelectorAll(".row-chosen")].map(r => r.dataset.id),
+      marks: [...document.querySelectorAll(".chosen")].map(m => m.dataset.id)};
   };
   try {
     seen.first = rows();
     seen.title = document.title;
-    seen.marks = [...document.querySelectorAll(".mark")].map(m => [m.dataset.id, m.getBoundingClientRect().x, m.getBoundingClientRect().y]);
+    const place = m => [m.dataset.id, m.getBoundingClientRect().x, m.getBoundingClientRect().y];
+    seen.marks = [...document.querySelectorAll(".mark")].map(place);
     click(header("seconds").querySelector("button"));
     seen.quickest = [rows(), header("seconds").getAttribute("aria-sort")];
     click(header("seconds").querySelector("button"));
@@ -73,9 +77,11 @@ class ChartPage(unittest.TestCase):
         page = (folder / "out/chart.html").read_text()
         cls.images = json.loads(re.search(r'id="pictures-data">(.*?)</script>', page, re.DOTALL)[1])["points"]
         (folder / "visit.html").write_text(page.replace("</body>", VISIT + "</body>"))
-        dom = subprocess.run([BROWSER, "--headless", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder}/profile",
+        dom = subprocess.run([BROWSER, "--headless", "--no-sandbox", "--disable-gpu",
+                              f"--user-data-dir={folder}/profile",
                               "--window-size=1400,1200", "--virtual-time-budget=10000", "--dump-dom",
-                              (folder / "visit.html").as_uri()], check=True, capture_output=True, text=True, timeout=120).stdout
+                              (folder / "visit.html").as_uri()],
+                             check=True, capture_output=True, text=True, timeout=120).stdout
         cls.seen = json.loads(html.unescape(re.search(r'<pre id="seen">(.*?)</pre>', dom, re.DOTALL)[1]))
 
     @classmethod

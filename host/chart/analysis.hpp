@@ -15,7 +15,7 @@ struct OrderExpected {
   const char* knob;  // "step" or "spp"
   double order;
 };
-// What theory says of a method where light and density are smooth along a step; nothing for methods without such a knob.
+// What theory says of a method where light and density are smooth along a step; nothing for methods without a knob.
 std::optional<OrderExpected> order_expected(int method);
 
 // Least squares through the points of each method that differ in that knob alone: light traced, rule "segment", f32.

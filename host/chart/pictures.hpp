@@ -1,5 +1,6 @@
 // The pictures that a chart's page shows: small enough to travel inside of it.
 #pragma once
+#include <array>
 #include <filesystem>
 
 #include "image/image.hpp"
@@ -9,8 +10,8 @@ namespace brume {
 inline constexpr int PICTURE_SIDE = 384;                // pixels at most; larger ones become means over blocks
 inline constexpr double ERROR_LO = 1e-4, ERROR_HI = 1;  // of the exact picture's mean: the ends of the ramp
 
-// The colour of an error, from black at ERROR_LO through red and orange to near white at ERROR_HI and above, in steps of
-// its logarithm; as bright in grey. Three values in [0, 1].
+// The colour of an error, from black at ERROR_LO through red and orange to near white at ERROR_HI and above, along its
+// logarithm; as bright in grey. Three values in [0, 1].
 std::array<float, 3> error_color(double relative);
 
 // Through the display curve, `exposure` in stops.

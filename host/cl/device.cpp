@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <optional>
 
@@ -15,7 +14,6 @@
 #include "cl/driver_guard.hpp"
 
 namespace brume {
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -48,24 +46,15 @@ bool device_matches(const DeviceInfo& info, const std::string& wanted) {
   return lower(info.name + " " + info.platform).find(lower(wanted)) != std::string::npos;
 }
 
-// While one lives, the loader finds PoCL's driver alone, in a folder of its own: those of other vendors bring libraries
-// that take longer to load than all else before the first call. Only where nobody has chosen drivers and PoCL can be
-// loaded.
+// While one lives, the loader finds PoCL's driver alone: those of other vendors bring libraries that take longer to load
+// than all else before the first call. Only where nobody has chosen drivers and PoCL can be loaded.
 class PoclAlone {
  public:
-  PoclAlone() {
-    std::error_code failed;
-    std::string folder = (fs::temp_directory_path(failed) / "brume-driver-XXXXXX").string();
-    if (failed || !possible() || ::mkdtemp(folder.data()) == nullptr) return;
-    folder_ = folder;
-    fs::create_symlink(POCL, folder_ / "pocl.icd", failed);
-    if (!failed) ::setenv(VARIABLE, folder.c_str(), 0);
+  PoclAlone() : set_(possible()) {
+    if (set_) ::setenv(VARIABLE, POCL, 0);
   }
   ~PoclAlone() {
-    if (folder_.empty()) return;
-    ::unsetenv(VARIABLE);
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
+    if (set_) ::unsetenv(VARIABLE);
   }
   PoclAlone(const PoclAlone&) = delete;
   PoclAlone& operator=(const PoclAlone&) = delete;
@@ -83,7 +72,7 @@ class PoclAlone {
     return !library.empty() && ::dlopen(library.c_str(), RTLD_LAZY) != nullptr;
   }
 
-  fs::path folder_;
+  bool set_;
 };
 
 // Only the first call in a process loads drivers.
@@ -126,9 +115,11 @@ DeviceInfo device_choose(const std::string& wanted) {
   const std::vector<DeviceInfo> devices = devices_find(wanted.empty());
   if (devices.empty()) {
     const std::string problem = kernel_cache_problem();  // PoCL has no devices then
-    throw RuntimeError(
-        "no OpenCL device found: " +
-        (problem.empty() ? "install one (Debian: pocl-opencl-icd), and check OCL_ICD_VENDORS" : problem));
+    throw RuntimeError("no OpenCL device found: " +
+                       (problem.empty()
+                            ? "install one (Debian: pocl-opencl-icd), or name one with --device (see brume devices), "
+                              "and check OCL_ICD_VENDORS"
+                            : problem));
   }
   const std::string text = wanted.empty() ? "portable computing language" : wanted;
   for (const DeviceInfo& info : devices)

@@ -28,7 +28,7 @@ struct ChartArguments {
   std::filesystem::path folder;
   std::string methods;
   double budget = 0;
-  bool overwrite = false;
+  bool overwrite = false, peers = false;
 
   void say(const std::string& text) const {
     if (!render.quiet) std::fprintf(stderr, "brume: %s\n", text_printable(text).c_str());
@@ -47,13 +47,14 @@ void chart_write(const ChartArguments& arguments, const Chart& chart, const Char
   for (const char* name : files) std::printf("%s\n", folder.file(name).string().c_str());
 }
 
-int chart_command_run(const ChartArguments& arguments) {
+int chart_command_run(const ChartArguments& arguments, const ChartPeers& peers) {
   if (arguments.render.quiet) notes_mute();
   const auto say = [&](const std::string& text) { arguments.say(text); };
   const std::string input = arguments.render.scene.string();
   const std::vector<int> wanted = methods_parse(arguments.methods);
   LoadedScene loaded;
   const SceneDesc desc = with_memory(input, [&] { return scene_describe(arguments.render, loaded, say); });
+  if (arguments.peers) peers.check(desc);
   ChartRequest request;
   request.methods = methods_fitting(desc, wanted);
   request.budget = arguments.budget;
@@ -81,6 +82,11 @@ int chart_command_run(const ChartArguments& arguments) {
     if (interrupt_requested()) interrupt_claim();
   }
   if (chart.points.empty()) throw Interrupted("interrupted before a point was measured; nothing is written");
+  if (arguments.peers && !interrupt_requested()) {
+    std::filesystem::create_directories(folder.file("peers"));
+    chart.peers = peers.run(desc, loaded, folder.file("peers"));
+    if (chart.peers.empty()) say("note: --peers: none of vdb_render and Mitsuba (BRUME_PYTHON) is installed");
+  }
   chart_write(arguments, chart, folder, !interrupt_requested());
   if (interrupt_requested())
     throw Interrupted("interrupted; the same command goes on from " + std::to_string(chart.points.size()) + " points");
@@ -93,7 +99,7 @@ int chart_command_run(const ChartArguments& arguments) {
 
 }  // namespace
 
-void command_chart(CLI::App& app, Command& run) {
+void command_chart(CLI::App& app, Command& run, ChartPeers peers) {
   CLI::App* command = app.add_subcommand("chart", "Chart time against error of every method that fits a scene");
   command->footer(
       "Each point is one setting: its time is the median of 3 to 7 renders (one of more than 20 s stands alone) "
@@ -109,7 +115,9 @@ void command_chart(CLI::App& app, Command& run) {
   command->add_option("--budget", arguments->budget, "Seconds after which no further point is measured")
       ->check(CLI::PositiveNumber);
   command->add_flag("--overwrite", arguments->overwrite, "Whatever chart the folder holds: begin anew");
-  command->callback([arguments, &run] { run = [arguments] { return chart_command_run(*arguments); }; });
+  command->add_flag("--peers", arguments->peers,
+                    "Other programs on the same scene too, where they are installed: vdb_render, Mitsuba");
+  command->callback([arguments, peers, &run] { run = [=] { return chart_command_run(*arguments, peers); }; });
 }
 
 }  // namespace brume

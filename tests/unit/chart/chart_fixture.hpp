@@ -28,7 +28,7 @@ inline Chart chart_example() {
   Chart chart;
   chart.identity = {"fog.json", "0123456789abcdef",   {8, 6}, {0, 0, 8, 6}, 1,
                     0,          "a CPU (a platform)", 8,      false,        "0.1.0"};
-  chart.exact = {"dda_gauss2", 1, 0.5, 48, 3, 1e-4, 3e-4, {0.8e-4, 1.2e-4}};
+  chart.exact = {{48, 3, 1e-4, {0.8e-4, 1.2e-4}, 3e-4, 0}, "dda_gauss2", 1, 0.5};
   chart.points = {
       chart_point({METHOD_DDA_GAUSS2, 0, 0, STORAGE_F32, IN_SCATTERING_SEGMENT, 1}, 0.5, 0),
       chart_point({METHOD_MARCH_MIDPOINT, 0.125, 64, STORAGE_U8, IN_SCATTERING_RECTANGLE, 4}, 0.0123456789, 0.03)};

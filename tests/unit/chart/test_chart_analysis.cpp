@@ -1,12 +1,10 @@
-// What points say together: the front, the orders, the places of witnesses.
+// What points say together: the front, the orders, the colours.
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <set>
 
 #include "chart/analysis.hpp"
 #include "chart/pictures.hpp"
-#include "chart/witnesses.hpp"
 #include "chart_fixture.hpp"
 
 namespace brume {
@@ -81,43 +79,6 @@ TEST(ChartOrders, EveryMethodWithStepsOrSamplesHasOne) {
   EXPECT_EQ(order_expected(METHOD_MARCH_REGULAR)->order, 1);
   EXPECT_EQ(order_expected(METHOD_MARCH_MIDPOINT)->order, 2);
   EXPECT_EQ(order_expected(METHOD_DELTA_TRACKING)->order, -0.5);
-}
-
-TEST(ChartWitnesses, AreSpreadOverTheBox) {
-  const std::array<int, 4> box{10, 20, 90, 60};
-  const auto places = witness_places(box, 200, 1);
-  EXPECT_GT(places.size(), 150u);
-  EXPECT_LE(places.size(), 200u);
-  EXPECT_EQ(std::set(places.begin(), places.end()).size(), places.size());
-  int quarters[4] = {};
-  for (std::size_t i = 0; i < 40; ++i) {  // a first part too
-    const auto [x, y] = places[i];
-    ASSERT_TRUE(x >= 10 && x < 90 && y >= 20 && y < 60) << x << "," << y;
-    ++quarters[(x >= 50) + 2 * (y >= 40)];
-  }
-  for (const int count : quarters) EXPECT_GE(count, 3);
-  EXPECT_EQ(witness_places({0, 0, 3, 2}, 200, 1).size(), 6u);
-}
-
-TEST(ChartWitnesses, SayHowFarOffAPictureIs) {
-  Witnesses witnesses;
-  Image picture{4, 2, 3, std::vector<float>(24, 2.0f), {"R", "G", "B"}, false, 0, ""};
-  for (int y = 0; y < 2; ++y)
-    for (int x = 0; x < 4; ++x) {
-      witnesses.places.push_back({x + 5, y + 7});
-      witnesses.radiance.push_back({2.02, 2.02, 2.02});
-    }
-  picture.values[3 * 6 + 1] = 2.06f;  // pixel 2,1
-  Frame frame{};
-  frame.crop_x0 = 5, frame.crop_y0 = 7;
-  ChartExact exact;
-  witnesses_compare(witnesses, frame, picture, exact);
-  EXPECT_EQ(exact.witnesses, 8);
-  EXPECT_NEAR(exact.max_abs, 0.04, 1e-6);
-  EXPECT_NEAR(exact.rel_rmse, std::sqrt((23 * 0.02 * 0.02 + 0.04 * 0.04) / 24) / 2.0025, 1e-6);
-  EXPECT_LE(exact.interval[0], exact.rel_rmse);
-  EXPECT_GE(exact.interval[1], exact.rel_rmse);
-  EXPECT_GT(exact.interval[0], 0.009);
 }
 
 TEST(ChartPictures, TheRampIsAsBrightInGrey) {

@@ -91,7 +91,7 @@ TEST_F(ChartFiles, GoOnWithThePointsWhosePicturesAreThere) {
   const ChartFolder folder(folder_, chart.identity, false);
   ASSERT_EQ(folder.kept().points.size(), 1u);
   EXPECT_EQ(knobs_id(folder.kept().points[0].knobs), knobs_id(chart.points[0].knobs));
-  EXPECT_EQ(folder.kept().exact.witnesses, 48);
+  EXPECT_EQ(folder.kept().exact.pixels, 48);
 }
 
 TEST_F(ChartFiles, OfAnotherChartAreRefused) {

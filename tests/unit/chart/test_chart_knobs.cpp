@@ -17,7 +17,8 @@ constexpr KnobLimits VOXELS{64, true};
 
 SceneDesc scene_of(const std::string& density, const std::string& rest = "") {
   return scene_read_text(
-      R"({"lights": [{"type": "directional", "direction": [0, -1, 0], "irradiance": 1}], "media": [{"density": {"type": ")" +
+      R"({"lights": [{"type": "directional", "direction": [0, -1, 0], "irradiance": 1}],
+        "media": [{"density": {"type": ")" +
           density + R"("}, "sigma_s": 1)" + rest + "}]}",
       "knobs.json", {});
 }

@@ -11,6 +11,7 @@
 #include "compare.hpp"
 #include "render/renderer.hpp"
 #include "scratch.hpp"
+#include "specialised.hpp"
 #include "version.hpp"
 
 namespace brume {
@@ -22,9 +23,12 @@ using namespace bench;
 struct BenchArguments {
   std::string device;
   std::filesystem::path json;
-  std::vector<std::filesystem::path> compare;
+  std::vector<std::filesystem::path> compare, kernels;
   BenchOptions options;
   int size = 512;
+  bool has_size = false;
+
+  int run() const;
 };
 
 constexpr std::size_t NAME_WIDTH = 48;
@@ -58,6 +62,25 @@ int bench_compare(const BenchArguments& arguments) {
   return 0;
 }
 
+int bench_kernels(const BenchArguments& arguments) {
+  if (!arguments.json.empty()) AtomicFile probe(arguments.json);
+  const Scratch scratch;
+  const DeviceInfo device = device_choose(arguments.device);
+  print(device.title() + ", driver " + device.driver + "\n\n" + specialised_header());
+  const SpecialisedOptions options{arguments.device, arguments.has_size ? arguments.size : 0,
+                                   arguments.options.repetitions};
+  const std::vector<SpecialisedRow> rows = specialised_run(
+      arguments.kernels, options, scratch.path(), [](const SpecialisedRow& row) { print(specialised_text(row)); });
+  print(specialised_legend());
+  if (!arguments.json.empty()) atomic_write(arguments.json, specialised_json(rows));
+  return 0;
+}
+
+int BenchArguments::run() const {
+  if (!compare.empty()) return bench_compare(*this);
+  return kernels.empty() ? bench_run(*this) : bench_kernels(*this);
+}
+
 }  // namespace
 
 void command_bench(CLI::App& app, Command& run) {
@@ -67,7 +90,8 @@ void command_bench(CLI::App& app, Command& run) {
   command->add_option("--device", arguments->device, "Index or part of the name of an OpenCL device");
   command->add_option("--filter", options.filter, "Only benchmarks whose name matches this expression");
   command->add_option("--json", arguments->json, "Write the results as JSON");
-  command->add_option("--size", arguments->size, "Pixels per side")->check(CLI::Range(16, 4096));
+  CLI::Option* size = command->add_option("--size", arguments->size, "Pixels per side");
+  size->check(CLI::Range(16, 4096));
   command
       ->add_option("--repetitions", options.repetitions,
                    "Runs of each, of those that trace light a third; the median counts")
@@ -79,8 +103,16 @@ void command_bench(CLI::App& app, Command& run) {
                    "Measure nothing: what changed from one --json to another by more than its noise")
       ->expected(2)
       ->type_name("BEFORE.json AFTER.json");
-  command->callback([arguments, &run] {
-    run = [arguments] { return arguments->compare.empty() ? bench_run(*arguments) : bench_compare(*arguments); };
+  command
+      ->add_option("--kernels", arguments->kernels,
+                   "Measure these scenes instead: what building and rendering takes with kernels of their own and with "
+                   "generic ones")
+      ->type_name("SCENE...")
+      ->check(CLI::ExistingFile)
+      ->excludes("--compare");
+  command->callback([arguments, size, &run] {
+    arguments->has_size = size->count() > 0;
+    run = [arguments] { return arguments->run(); };
   });
 }
 

@@ -106,5 +106,30 @@ TEST_F(Bench, MeasuresARowForEachBenchmark) {
   expect_refused("bench --size 16 --filter nothing_4711", 2, "--filter: no benchmark matches 'nothing_4711'");
 }
 
+TEST_F(Bench, LongKernelsOfASceneAreHeldAgainstGenericOnes) {
+  write("a.json", R"({"lights": [{"type": "directional", "direction": [0, -1, 0], "irradiance": 1}],
+    "media": [{"density": {"type": "perlin", "resolution": [8, 8, 8]}, "sigma_a": 1, "sigma_s": 1}]})");
+  const Outcome r = run("bench --kernels a.json --size 24 --repetitions 1 --json out.json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.out, HasSubstr("\na.json "));
+  const Json row = Json::parse(text(folder_ / "out.json"))["scenes"][0];
+  EXPECT_EQ(row["pixels"], 24 * 24);
+  for (const char* kind : {"specialised", "generic"}) {
+    EXPECT_GT(row[kind]["cold_build_s"], row[kind]["warm_build_s"]) << kind;
+    EXPECT_GT(row[kind]["warm_build_s"], 0) << kind;
+    EXPECT_GT(row[kind]["render_s"], 0) << kind;
+  }
+  EXPECT_LT(row["specialised"]["cold_build_s"], row["generic"]["cold_build_s"]);
+  EXPECT_EQ(files(), (std::set<std::string>{"a.json", "out.json"}));
+}
+
+TEST_F(Bench, RefusesKernelsOfWhatIsNoScene) {
+  write("broken.json", "{");
+  expect_refused("bench --kernels none.json", 2, "none.json");
+  const Outcome r = run("bench --kernels broken.json");
+  EXPECT_EQ(r.exit_code, 1);
+  EXPECT_THAT(r.err, HasSubstr("broken.json: was not rendered"));
+}
+
 }  // namespace
 }  // namespace brume::test

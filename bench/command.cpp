@@ -5,11 +5,13 @@
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "base/streams.hpp"
 #include "benchmarks.hpp"
 #include "cli/command.hpp"
 #include "compare.hpp"
 #include "render/renderer.hpp"
+#include "scaling.hpp"
 #include "scratch.hpp"
 #include "specialised.hpp"
 #include "version.hpp"
@@ -22,10 +24,10 @@ using namespace bench;
 
 struct BenchArguments {
   std::string device;
-  std::filesystem::path json;
+  std::filesystem::path json, scaling;
   std::vector<std::filesystem::path> compare, kernels;
   BenchOptions options;
-  int size = 512;
+  int size = 512, most = 256;
   bool has_size = false;
 
   int run() const;
@@ -76,7 +78,39 @@ int bench_kernels(const BenchArguments& arguments) {
   return 0;
 }
 
+void print_axis_end(const ScalingAxis& axis) {
+  const auto text = [](const std::optional<double>& exponent) { return exponent ? number_text(*exponent, 3) : "?"; };
+  const double measured = axis.exponent().value_or(axis.expected);
+  print("  exponent " + text(axis.exponent()) + ", of lookups " + text(axis.lookups_exponent()) + "; expected " +
+        number_text(axis.expected) + ": " + axis.because +
+        (measured > axis.expected + SCALING_WORSE ? "  WORSE\n\n" : "\n\n"));
+}
+
+int bench_scaling(const BenchArguments& arguments) {
+  std::filesystem::create_directories(arguments.scaling);
+  const auto file = [&](const char* name) { return arguments.scaling / name; };
+  AtomicFile(file("scaling.json"));  // not after minutes
+  const Scratch scratch;
+  const DeviceInfo device = device_choose(arguments.device);
+  print(device.title() + ", driver " + device.driver + "\n\n");
+  const std::vector<ScalingAxis> axes = scaling_run(
+      {arguments.device, arguments.options.repetitions, arguments.most}, scratch.path(),
+      [](const ScalingAxis& axis) { print(axis.name + "\n"); },
+      [](const ScalingPoint& point) {
+        print(column(std::to_string(point.value), 8) + column(seconds_text(point.seconds), 12) +
+              column(share_text(point.spread / point.seconds), 10) + column(number_text(point.lookups, 3), 12) +
+              " lookups\n");
+      },
+      print_axis_end);
+  atomic_write(file("scaling.json"), scaling_json(device.title(), axes));
+  print(file("scaling.json").string() + "\n");
+  if (scaling_plot(device.title(), axes, file("scaling.svg"), file("scaling.png")))
+    print(file("scaling.svg").string() + "\n" + file("scaling.png").string() + "\n");
+  return 0;
+}
+
 int BenchArguments::run() const {
+  if (!scaling.empty()) return bench_scaling(*this);
   if (!compare.empty()) return bench_compare(*this);
   return kernels.empty() ? bench_run(*this) : bench_kernels(*this);
 }
@@ -110,6 +144,15 @@ void command_bench(CLI::App& app, Command& run) {
       ->type_name("SCENE...")
       ->check(CLI::ExistingFile)
       ->excludes("--compare");
+  command
+      ->add_option("--scaling", arguments->scaling,
+                   "Measure how the time of a fog grows with pixels, steps, voxels, lights, media and threads instead: "
+                   "scaling.json, .svg and .png in this folder")
+      ->type_name("DIR")
+      ->excludes("--compare")
+      ->excludes("--kernels");
+  command->add_option("--most", arguments->most, "Of --scaling: the largest number of anything")
+      ->check(CLI::Range(2, 1024));
   command->callback([arguments, size, &run] {
     arguments->has_size = size->count() > 0;
     run = [arguments] { return arguments->run(); };

@@ -5,14 +5,11 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "base/command_line.hpp"
-#include "base/error.hpp"
-#include "base/file_read.hpp"
-#include "base/interrupt.hpp"
 #include "base/json_text.hpp"
 #include "base/statistics.hpp"
 #include "base/text_printable.hpp"
 #include "peers.hpp"
+#include "process.hpp"
 #include "row.hpp"
 
 namespace brume::bench {
@@ -21,18 +18,10 @@ namespace {
 
 constexpr int SCENE_WIDTH = 34;
 
-nlohmann::json render_statistics(const std::filesystem::path& scene, const SpecialisedOptions& options, bool generic,
-                                 const std::filesystem::path& folder, const std::filesystem::path& cache) {
-  const std::filesystem::path statistics = folder / "specialised.json";
-  std::string command = "POCL_CACHE_DIR=" + shell_quoted(cache) + " " +
-                        shell_quoted(std::filesystem::read_symlink("/proc/self/exe")) + " render " +
-                        shell_quoted(scene) + " --quiet --witness 0 --stats " + shell_quoted(statistics) + " -o " +
-                        shell_quoted(folder / "specialised.exr");
-  if (options.size > 0) command += " --size " + std::to_string(options.size) + "x" + std::to_string(options.size);
-  if (!options.device.empty()) command += " --device " + shell_quoted(options.device);
-  if (!command_succeeds(command + (generic ? " --generic" : "") + " >/dev/null"))
-    throw RuntimeError(scene.string() + ": was not rendered");
-  return nlohmann::json::parse(file_read_text(statistics, 1 << 20, "statistics of a render"));
+std::string options_text(const SpecialisedOptions& options, bool generic) {
+  const std::string side = std::to_string(options.size);
+  return (options.size > 0 ? " --size " + side + "x" + side : "") +
+         (options.device.empty() ? "" : " --device " + shell_quoted(options.device)) + (generic ? " --generic" : "");
 }
 
 KernelTimes times_of(const std::filesystem::path& scene, const SpecialisedOptions& options, bool generic,
@@ -43,13 +32,13 @@ KernelTimes times_of(const std::filesystem::path& scene, const SpecialisedOption
   KernelTimes times;
   std::vector<double> warm, render;
   for (int run = 0; run <= options.repetitions; ++run) {
-    const nlohmann::json one = render_statistics(scene, options, generic, folder, cache);
-    pixels = one["size"][0].get<double>() * one["size"][1].get<double>();
-    const double build = one["kernel_build_s"];
+    const ProcessTimes one =
+        process_render(scene, options_text(options, generic), "POCL_CACHE_DIR=" + shell_quoted(cache), folder);
+    pixels = one.pixels;
     if (run == 0)
-      times.cold = build;
+      times.cold = one.build;
     else
-      warm.push_back(build), render.push_back(one["render_s"]);
+      warm.push_back(one.build), render.push_back(one.render);
   }
   times.warm = quantile(warm, 0.5);
   times.render = quantile(render, 0.5);

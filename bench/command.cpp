@@ -83,7 +83,7 @@ void print_axis_end(const ScalingAxis& axis) {
   const double measured = axis.exponent().value_or(axis.expected);
   print("  exponent " + text(axis.exponent()) + ", of lookups " + text(axis.lookups_exponent()) + "; expected " +
         number_text(axis.expected) + ": " + axis.because +
-        (measured > axis.expected + SCALING_WORSE ? "  WORSE\n\n" : "\n\n"));
+        (measured > axis.expected + SCALING_WORSE ? "\n  WORSE, suspect " + axis.suspect + "\n\n" : "\n\n"));
 }
 
 int bench_scaling(const BenchArguments& arguments) {
@@ -98,8 +98,8 @@ int bench_scaling(const BenchArguments& arguments) {
       [](const ScalingAxis& axis) { print(axis.name + "\n"); },
       [](const ScalingPoint& point) {
         print(column(std::to_string(point.value), 8) + column(seconds_text(point.seconds), 12) +
-              column(share_text(point.spread / point.seconds), 10) + column(number_text(point.lookups, 3), 12) +
-              " lookups\n");
+              column(point.spread > 0 ? share_text(point.spread / point.seconds) : "-", 10) +
+              column(number_text(point.lookups, 3), 12) + " lookups\n");
       },
       print_axis_end);
   atomic_write(file("scaling.json"), scaling_json(device.title(), axes));

@@ -24,7 +24,7 @@ struct AxisRow {
   int Fog::*knob;
   std::vector<int> values;
   double expected;
-  const char* because;
+  const char *because, *suspect;
   Fog fog;
 };
 
@@ -35,15 +35,41 @@ Fog with(int Fog::*knob, int value, Fog fog = {}) {
 
 const std::vector<AxisRow>& axis_rows() {
   static const Fog grid = with(&Fog::light_grid, 32);
+  static const char *caches = "voxels beyond the caches: rays that lie cells apart share none of what they read",
+                    *other = "other work on the machine", *shared = "cores that are busy with other work";
   static const std::vector<AxisRow> rows{
-      {"pixels a side", &Fog::side, {32, 64, 128, 256, 512}, 2, "every pixel is rays of its own", grid},
-      {"steps, light grid", &Fog::steps, {32, 64, 128, 256, 512}, 1, "a lookup each", grid},
-      {"steps, light traced", &Fog::steps, {16, 32, 64, 128, 256}, 2, "a light ray of as many steps from each", {}},
-      {"voxels a side, light grid", &Fog::voxels, {16, 32, 64, 128, 256, 512}, 1, "a ray crosses as many", grid},
-      {"voxels a side, light traced", &Fog::voxels, {16, 32, 64, 128, 256}, 2, "a light ray from each cell", {}},
-      {"lights", &Fog::lights, {1, 2, 4, 8, 16}, 1, "a ray to each", with(&Fog::voxels, 32)},
-      {"overlapping media", &Fog::media, {1, 2, 4, 8}, 2, "each segment of one asks all", with(&Fog::voxels, 32)},
-      {"threads", &Fog::threads, {1, 2}, -1, "batches are shared out", with(&Fog::side, 192)},
+      {"pixels a side", &Fog::side, {32, 64, 128, 256, 512}, 2, "every pixel is rays of its own", other, grid},
+      {"steps, light grid", &Fog::steps, {32, 64, 128, 256, 512}, 1, "a lookup each", other, grid},
+      {"steps, light traced",
+       &Fog::steps,
+       {16, 32, 64, 128, 256},
+       2,
+       "a light ray of as many steps from each",
+       other,
+       {}},
+      {"voxels a side, light grid",
+       &Fog::voxels,
+       {16, 32, 64, 128, 256, 512},
+       1,
+       "a ray crosses as many",
+       caches,
+       grid},
+      {"voxels a side, light traced",
+       &Fog::voxels,
+       {16, 32, 64, 128, 256},
+       2,
+       "a light ray from each cell",
+       caches,
+       {}},
+      {"lights", &Fog::lights, {1, 2, 4, 8, 16}, 1, "a ray to each", other, with(&Fog::voxels, 32)},
+      {"overlapping media",
+       &Fog::media,
+       {1, 2, 4, 8},
+       2,
+       "each segment of one asks all",
+       other,
+       with(&Fog::voxels, 32)},
+      {"threads", &Fog::threads, {1, 2}, -1, "batches are shared out", shared, with(&Fog::side, 192)},
   };
   return rows;
 }
@@ -114,7 +140,7 @@ std::vector<ScalingAxis> scaling_run(const ScalingOptions& options, const std::f
                                      const std::function<void(const ScalingAxis&)>& end) {
   std::vector<ScalingAxis> axes;
   for (const AxisRow& row : axis_rows()) {
-    ScalingAxis axis{row.name, row.expected, row.because, {}};
+    ScalingAxis axis{row.name, row.expected, row.because, row.suspect, {}};
     begin(axis);
     for (const int value : row.values) {
       if (value > options.most) continue;
@@ -140,6 +166,7 @@ std::string scaling_json(const std::string& device, const std::vector<ScalingAxi
                     {"exponent", optional(axis.exponent())},
                     {"expected", axis.expected},
                     {"because", axis.because},
+                    {"suspect", axis.suspect},
                     {"lookups_exponent", optional(axis.lookups_exponent())},
                     {"points", points}});
   }

@@ -17,6 +17,7 @@ struct ScalingAxis {
   std::string name;     // "voxels a side, light traced"
   double expected = 0;  // seconds grow as value to this power, because:
   std::string because;
+  std::string suspect;  // what makes it worse, where it is
   std::vector<ScalingPoint> points;
 
   // Of seconds over values, and of lookups, through the largest SCALING_FITTED: what is small is ruled by what every

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/interrupt.hpp"
+#include "base/statistics.hpp"
 #include "base/stopwatch.hpp"
 #include "film/film_write.hpp"
 #include "flat/flatten.hpp"
@@ -36,19 +37,6 @@ KnobLimits limits_of(const FlatScene& flat, const SceneDesc& desc) {
     limits.grids = limits.grids || (scatters && voxels && !desc.lights.empty());
   }
   return limits;
-}
-
-// Median, and half of what lies between the quartiles: of fewer than five runs, between the ends.
-void times_reduce(std::vector<double> times, ChartPicture& picture) {
-  std::sort(times.begin(), times.end());
-  const auto at = [&](double share) {
-    const double place = share * static_cast<double>(times.size() - 1);
-    const std::size_t below = static_cast<std::size_t>(place), above = std::min(below + 1, times.size() - 1);
-    return times[below] + (place - static_cast<double>(below)) * (times[above] - times[below]);
-  };
-  picture.seconds = at(0.5);
-  picture.seconds_spread = (times.size() < 5 ? at(1) - at(0) : at(0.75) - at(0.25)) / 2;
-  picture.runs = static_cast<int>(times.size());
 }
 
 // Segments along the longest way, and lookups of each.
@@ -112,7 +100,11 @@ std::optional<ChartPicture> ChartScene::render(const SceneDesc& set, bool timed,
     times.push_back(seconds);
     spent += seconds;
   }
-  times_reduce(times.empty() ? std::vector<double>{first} : times, picture);
+  if (times.empty()) times = {first};
+  const Summary summary = summary_of(times);
+  picture.seconds = summary.median;
+  picture.seconds_spread = summary.spread;
+  picture.runs = static_cast<int>(times.size());
   return picture;
 }
 

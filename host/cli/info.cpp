@@ -11,6 +11,7 @@
 #include "base/text_printable.hpp"
 #include "cli/command.hpp"
 #include "cli/file_kind.hpp"
+#include "cli/kernels_describe.hpp"
 #include "flat/bricks.hpp"
 #include "mesh/mesh.hpp"
 #include "plan/planned_scene.hpp"
@@ -146,6 +147,7 @@ Json info_scene(const Path& file) {
             {"bvh", (flat.bvh_nodes.size() + flat.bvh_blocks.size()) * sizeof(float)}}},
           {"storage", family_name(storage_family(), flat.storage)},
           {"storage_error", flat.stored ? flat.stored->error : 0},
+          {"kernels", kernels_json(flat)},
           {"notes", flat.all_notes()}};
 }
 
@@ -154,12 +156,13 @@ Json (*describer(FileKind kind))(const Path&) {
   return kind == FileKind::MESH ? info_mesh : info_scene;
 }
 
-// Nested objects as indented lines "key: value".
+// Nested objects as indented lines "key: value", texts of a list as lines.
 void print_plain(const Json& json, int indent) {
   for (const auto& [key, value] : json.items()) {
-    const bool nested = value.is_object() || (value.is_array() && !value.empty() && value[0].is_object());
+    const bool nested = value.is_object() || (value.is_array() && !value.empty() && !value[0].is_number());
     const std::string text = value.is_string() ? text_printable(value.get<std::string>()) : json_line(value);
-    std::printf("%*s%s:%s%s\n", indent, "", key.c_str(), nested ? "" : " ", nested ? "" : text.c_str());
+    const std::string name = json.is_array() && value.is_string() ? "- " : key + (nested ? ":" : ": ");
+    std::printf("%*s%s%s\n", indent, "", name.c_str(), nested ? "" : text.c_str());
     if (nested) print_plain(value, indent + 2);
   }
 }

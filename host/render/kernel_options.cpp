@@ -28,7 +28,7 @@ std::string scene_options(const FlatScene& s, const RenderPlan& plan) {
          define("TRACKING", (plan.draws >> DRAWS_COLLISIONS) & 1u) + define("ROULETTE", plan.frame.roulette > 0) +
          define("SPHERE_REGION",
                 (bits_used(s.placed, [](const PlacedGrid& p) { return p.region; }) >> REGION_SPHERE) & 1u) +
-         define("LIGHT_GRID", plan.light_entries > 0) +
+         define("LIGHT_GRID", plan.light_entries > 0) + define("IN_SCATTERINGS_USED", 1u << plan.frame.in_scattering) +
          define("PHASES_USED", bits_used(s.media, [](const MediumBody& m) { return m.phase; })) +
          define("SHAPES_USED", bits_used(s.shapes, [](const Shape& shape) { return shape.type; })) +
          define("TRIANGLES", !s.triangles.empty()) + define("TEXTURED", !s.textures.empty()) +

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "reference/lit_steps.hpp"
 #include "reference/scatter_light.hpp"
 #include "reference/tracking.hpp"
 #include "shared/method.h"
@@ -147,7 +148,9 @@ struct SegmentWalk {
   }
 
   void run(double t_max) {
-    for (const SegmentD& segment : segments(context.scene, index, ray, 0, t_max, method, walk)) {
+    const bool lit_steps = rule == IN_SCATTERING_GAUSS2 && method_rule(method) == RULE_PRODUCT;
+    for (const SegmentD& segment : lit_steps ? lit_segments(context, index, ray, t_max)
+                                             : segments(context.scene, index, ray, 0, t_max, method, walk)) {
       result.lookups += segment_lookups(medium, method);
       if (!(segment.density_length > 0)) continue;
       const double count = parts_of(segment);

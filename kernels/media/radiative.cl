@@ -1,6 +1,7 @@
 // From ∫ρ to light: extinction per channel, transmittance through all media, in-scattering along a view ray.
 #ifndef BRUME_MEDIA_RADIATIVE_CL
 #define BRUME_MEDIA_RADIATIVE_CL
+#include "media/lit_steps.cl"
 #include "media/two_points.cl"
 
 // What medium m sends to the origin from these segments.
@@ -117,10 +118,16 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
   Cut cut;
   cut.lane = W;
   Walk walk = walk_begin(&medium, &ray, s.walk, 0);
+  const int lit_steps = IN_SCATTERING_IS(scene, GAUSS2) && RULE_IS(&medium, PRODUCT);
+  LitSteps lit;
+  if (lit_steps) lit = lit_steps_begin(scene, &s, m);
   while (tau_min(tau + others.tau) < TAU_STOP) {
     const int uncut = cut.lane == W;
     if (uncut) {
-      walk_next(scene, &medium, &ray, &walk, &whole);
+      if (lit_steps)
+        lit_steps_fill(scene, &s, &lit, &whole);
+      else
+        walk_next(scene, &medium, &ray, &walk, &whole);
       s.at = &whole;
     } else {
       stretch_parts(&whole, &cut, &parts, &s);

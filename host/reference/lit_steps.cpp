@@ -7,7 +7,7 @@
 namespace brume::reference {
 namespace {
 
-constexpr std::size_t KINKS_MAX = 32;
+constexpr std::size_t KINKS_MAX = 64;
 
 struct Kinks {
   double t0, t1;  // of the medium that is walked
@@ -63,8 +63,8 @@ Kinks kinks_find(const Context& context, int index, const RayD& ray, double t_ma
   const auto& lights = context.scene.lights;
   for (const Light& light : lights)
     if (is_near_spot(light)) {
-      cone_kinks(light, light.outer, ray, kinks);
-      cone_kinks(light, light.inner, ray, kinks);
+      for (double i = 0; i <= 8; ++i)
+        cone_kinks(light, light.outer + i / 8 * (double(light.inner) - light.outer), ray, kinks);
     }
   for (int other = 0; other < static_cast<int>(context.media.size()); ++other) {
     const Medium& medium = context.media[static_cast<std::size_t>(other)];
@@ -89,7 +89,7 @@ double step_at(const Context& context, const Medium& medium, const RayD& ray, co
     if (is_near_spot(light) && !light_at(light, middle).shines()) continue;
     lit = true;
     if (light.type != LIGHT_DIRECTIONAL && !is_far(light))
-      longest = std::min(longest, 0.2 * glm::length(point - vec_promote(light.position)));
+      longest = std::min(longest, 0.1 * glm::length(point - vec_promote(light.position)));
   }
   return lit ? std::max(longest, medium.step / 1024.0) : INFINITE;
 }

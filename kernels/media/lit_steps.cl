@@ -5,9 +5,10 @@
 #include "lights/lights.cl"
 #include "media/stretch.cl"
 
-#define KINKS_MAX 32
+#define KINKS_MAX 64
+#define CONES 8  // a spot's soft edge in equal parts of 1 - cos: what a grazing ray sees of it is no polynomial
 #define KINK_APART 0x1p-16f            // of the ray inside the medium: kinks closer than that are one
-#define LIGHT_GRADE 0.2f               // of the distance to a light: no step near it is longer
+#define LIGHT_GRADE 0.1f               // of the distance to a light: no step near it is longer
 #define GRADE_FINEST (1.0f / 1024.0f)  // of a step: no shorter for that
 
 typedef struct {
@@ -84,8 +85,10 @@ static inline LitSteps lit_steps_begin(const Scene* scene, const Stretch* stretc
     const Light light = scene->lights[l];
     if (!LIGHT_IS(&light, SPOT) || light.exponent != 0) continue;
     const float3 from = point - vec_unpack(light.position), axis = vec_unpack(light.direction);
-    cone_kinks(&k, from, stretch->dir, axis, light.outer, length);
-    cone_kinks(&k, from, stretch->dir, axis, light.inner, length);
+    for (int i = 0; i <= CONES; ++i) {
+      const float share = (float)i / (float)CONES;
+      cone_kinks(&k, from, stretch->dir, axis, mad_exact(share, light.inner - light.outer, light.outer), length);
+    }
   }
   for (int other = 0; other < MEDIA_END(scene); ++other) {
     const Medium medium = scene->media[other];

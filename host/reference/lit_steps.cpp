@@ -79,17 +79,32 @@ Kinks kinks_find(const Context& context, int index, const RayD& ray, double t_ma
   return kinks;
 }
 
+// How far t is from a light: also along the ray to the planes beside the faces through which its light comes, behind
+// which the depth to it bends.
+double light_apart(const Medium& medium, const Light& light, const RayD& world, double t) {
+  const dvec3 position = vec_promote(light.position);
+  double apart = glm::length(world.at(t) - position);
+  if (medium.region != REGION_BOX) return apart;
+  const RayD ray = ray_to_cells(medium, world);
+  const dvec3 in_cells = affine_point(medium.cell_from_world, position);
+  const dvec3 lo = vec_promote(medium.lo), hi = vec_promote(medium.hi);
+  for (int a = 0; a < 3; ++a)
+    if (in_cells[a] < lo[a] || in_cells[a] > hi[a])
+      apart = std::min(apart, std::abs((in_cells[a] - ray.at(t)[a]) / ray.dir[a]));
+  return apart;
+}
+
 // How long the segment that begins at t may be, if nothing happens before `end`.
 double step_at(const Context& context, const Medium& medium, const RayD& ray, const Kinks& kinks, double t,
                double end) {
-  const dvec3 point = ray.at(t), middle = ray.at(t + std::min(end - t, double(medium.step)) / 2);
+  const dvec3 middle = ray.at(t + std::min(end - t, double(medium.step)) / 2);
   bool lit = kinks.full();  // a cone may have been left out
   double longest = medium.step;
   for (const Light& light : context.scene.lights) {
     if (is_near_spot(light) && !light_at(light, middle).shines()) continue;
     lit = true;
     if (light.type != LIGHT_DIRECTIONAL && !is_far(light))
-      longest = std::min(longest, 0.1 * glm::length(point - vec_promote(light.position)));
+      longest = std::min(longest, 0.1 * light_apart(medium, light, ray, t));
   }
   return lit ? std::max(longest, medium.step / 1024.0) : INFINITE;
 }

@@ -71,6 +71,22 @@ static inline void box_kinks(LitSteps* k, const Medium* medium, const Light* lig
   for (int a = 0; a < 3; ++a) edge_kinks(k, o, d, to, is_point, lo, hi, a, length);
 }
 
+// How far a point of the ray is from a light. Behind a face of the box through which its light comes the depth to it
+// bends as 1 / (distance along the ray to the plane of the light beside that face).
+static inline float light_apart(const Stretch* stretch, const Light* light, float s) {
+  const float3 position = vec_unpack(light->position);
+  const float3 point = vec_point(stretch->origin, stretch->dir, stretch->ray->t_begin + s);
+  float apart = length(point - position);
+  if (stretch->medium->region != REGION_BOX) return apart;
+  const float3 in_cells = affine_point(&stretch->medium->cell_from_world, position);
+  const float3 lo = vec_unpack(stretch->medium->lo), hi = vec_unpack(stretch->medium->hi);
+  const float3 ahead = (in_cells - vec_point(stretch->ray->origin, stretch->ray->dir, s)) / stretch->ray->dir;
+  if (in_cells.x < lo.x || in_cells.x > hi.x) apart = fmin(apart, fabs(ahead.x));
+  if (in_cells.y < lo.y || in_cells.y > hi.y) apart = fmin(apart, fabs(ahead.y));
+  if (in_cells.z < lo.z || in_cells.z > hi.z) apart = fmin(apart, fabs(ahead.z));
+  return apart;
+}
+
 #define LIGHTS_ALL(scene) ((scene)->frame->light_picks == (scene)->frame->light_count)
 
 static inline LitSteps lit_steps_begin(const Scene* scene, const Stretch* stretch, int m) {
@@ -112,7 +128,6 @@ static inline float lit_step(const Scene* scene, const Stretch* stretch, const L
   const float step = stretch->medium->step;
   if (!LIGHTS_ALL(scene)) return step;
   const float t = stretch->ray->t_begin + k->s;
-  const float3 point = vec_point(stretch->origin, stretch->dir, t);
   const float3 middle = vec_point(stretch->origin, stretch->dir, t + 0.5f * fmin(end - k->s, step));
   int lit = k->count == KINKS_MAX;  // a cone may have been left out
   float longest = step;
@@ -123,7 +138,7 @@ static inline float lit_step(const Scene* scene, const Stretch* stretch, const L
       continue;
     lit = 1;
     if (LIGHT_IS(&light, DIRECTIONAL) || light.exponent != 0) continue;
-    longest = fmin(longest, LIGHT_GRADE * length(point - vec_unpack(light.position)));
+    longest = fmin(longest, LIGHT_GRADE * light_apart(stretch, &light, k->s));
   }
   return lit ? fmax(longest, GRADE_FINEST * step) : INFINITY;
 }

@@ -35,6 +35,7 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
       {"ROULETTE", plan.frame.roulette > 0, 1, "roulette"},
       {"SPHERE_REGION", (regions >> REGION_SPHERE) & 1u, 1, "media cut to spheres"},
       {"LIGHT_GRID", plan.light_entries > 0, 1, "light grids"},
+      {"IN_SCATTERINGS_USED", 1u << plan.frame.in_scattering, all_bits(IN_SCATTERING_COUNT), "rules of in-scattering"},
       {"PHASES_USED", phases, all_bits(PHASE_COUNT), "phase functions"},
       {"SHAPES_USED", shapes, all_bits(SHAPE_COUNT), "shapes"},
       {"TRIANGLES", !s.triangles.empty(), 1, "triangles"},

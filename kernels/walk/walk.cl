@@ -86,6 +86,14 @@ static inline floatW walk_integral(const Scene* scene, const Medium* medium, con
   return (floatW)(0.0f);
 }
 
+// The same, and the share of it that lies about the second of two points: even where a rule knows no more.
+static inline floatW walk_integral_shares(const Scene* scene, const Medium* medium, const MediumRay* ray,
+                                          const Segments* at, floatW* second) {
+  if (RULE_IS(medium, GAUSS2)) return dda_gauss2_shares(scene->voxels, ray, at, second);
+  *second = (floatW)(0.5f);
+  return walk_integral(scene, medium, ray, at);
+}
+
 static inline uint walk_lookups(const Medium* medium, const Segments* at) {
 #define RULE(id, function, lookups) \
   if (RULE_IS(medium, id)) return (uint)at->count * (lookups);

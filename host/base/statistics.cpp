@@ -27,8 +27,8 @@ void scatter_add(Scatter& sum, const std::vector<double>& values) {
   if (!values.empty()) sum.freedom += static_cast<double>(values.size()) - 1;
 }
 
-// Of the median of n values that scatter by 1. Of one or two the median is the mean; of many it scatters √(π/2) times as
-// much, of three to five some 1.2.
+// Of the median of n values that scatter by 1. Of one or two the median is the mean; of many it scatters √(π/2) times
+// as much, of three to five some 1.2.
 double median_variance(std::size_t n) {
   return (n <= 2 ? 1.0 : (n <= 5 ? 1.2 * 1.2 : M_PI / 2)) / static_cast<double>(n);
 }

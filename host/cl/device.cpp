@@ -46,8 +46,8 @@ bool device_matches(const DeviceInfo& info, const std::string& wanted) {
   return lower(info.name + " " + info.platform).find(lower(wanted)) != std::string::npos;
 }
 
-// While one lives, the loader finds PoCL's driver alone: those of other vendors bring libraries that take longer to load
-// than all else before the first call. Only where nobody has chosen drivers and PoCL can be loaded.
+// While one lives, the loader finds PoCL's driver alone: those of other vendors bring libraries that take longer to
+// load than all else before the first call. Only where nobody has chosen drivers and PoCL can be loaded.
 class PoclAlone {
  public:
   PoclAlone() : set_(possible()) {

@@ -94,7 +94,8 @@ BrickCounts bricks_count(const FlatScene& flat, const Medium& m, glm::ivec3 firs
   return counts;
 }
 
-// Blocks of bricks that share their entries, as the empty ones of a wide and sparse volume do, are counted once in a row.
+// Blocks of bricks that share their entries, as the empty ones of a wide and sparse volume do, are counted once in a
+// row.
 BrickCounts bricks_count(const FlatScene& flat, const Medium& m) {
   const glm::ivec3 bricks(m.brick_nx, m.brick_ny, m.brick_nz);
   BrickCounts all, last;

@@ -10,7 +10,8 @@ namespace brume {
 
 namespace {
 
-// Of the filtered rows as deflate stores them at worst (5 bytes in 16 KB), in chunks of 8 KB with 12 bytes of their own.
+// Of the filtered rows as deflate stores them at worst (5 bytes in 16 KB), in chunks of 8 KB with 12 bytes of their
+// own.
 std::size_t bytes_at_most(std::size_t row_bytes, std::size_t rows) {
   const std::size_t raw = (row_bytes + 1) * rows;
   return raw + raw / 256 + 4096;

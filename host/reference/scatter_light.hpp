@@ -1,5 +1,5 @@
-// The light that a segment of a view ray takes and sends on, by the rule of the frame. Where segments lie is the business
-// of scatter_segments.cpp.
+// The light that a segment of a view ray takes and sends on, by the rule of the frame. Where segments lie is the
+// business of scatter_segments.cpp.
 #pragma once
 #include <cmath>
 
@@ -25,8 +25,8 @@ struct Segment {
   double second = 0.5;  // share of ∫ρ about the second of them
 };
 
-// ∫ρT over a segment by a row of BRUME_IN_SCATTERINGS: `integral` is ∫ρ over it, `before` the optical depth up to it and
-// `depth` that over it.
+// ∫ρT over a segment by a row of BRUME_IN_SCATTERINGS: `integral` is ∫ρ over it, `before` the optical depth up to it
+// and `depth` that over it.
 double gain_of(int rule, double integral, double before, double depth);
 
 // What a medium sends to the origin of the ray from one segment: σs S + emission; and into shadow_key the lights that a

@@ -52,8 +52,8 @@ WitnessError witnesses_compare(const Witnesses& witnesses, const Frame& frame, c
 WitnessError witnesses_compare(const Witnesses& witnesses, const std::vector<std::array<double, 3>>& shown,
                                double mean);
 
-// What chance adds to a picture, from the second moments of its pixels: the standard error of rel_rmse's kind. 0 below 2
-// samples per pixel. Where the samples of a pixel differ for other reasons too (edges), it is too large.
+// What chance adds to a picture, from the second moments of its pixels: the standard error of rel_rmse's kind. 0 below
+// 2 samples per pixel. Where the samples of a pixel differ for other reasons too (edges), it is too large.
 double film_noise(const Film& film, const Frame& frame);
 
 // Whether a plan leaves anything to chance.

@@ -1,5 +1,5 @@
-// The rule `gauss2`: closed forms of a slab at any depth, exact integrals of fog under every kind of light, and the order
-// by which its error falls.
+// The rule `gauss2`: closed forms of a slab at any depth, exact integrals of fog under every kind of light, and the
+// order by which its error falls.
 #include <cmath>
 #include <string>
 

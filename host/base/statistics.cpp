@@ -16,6 +16,7 @@ struct Scatter {
 
 std::vector<double> logs_of(const std::vector<double>& values) {
   std::vector<double> logs;
+  logs.reserve(values.size());
   for (const double v : values) logs.push_back(std::log(v));
   return logs;
 }

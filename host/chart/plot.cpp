@@ -15,7 +15,7 @@ namespace brume {
 
 namespace {
 
-std::string quoted(std::string text, char quote, const std::string& instead) {
+std::string quoted(const std::string& text, char quote, const std::string& instead) {
   std::string out(1, quote);
   for (const char c : text) out += c == quote ? instead : std::string(1, c);
   return out + quote;

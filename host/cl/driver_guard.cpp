@@ -134,7 +134,7 @@ void handlers_install() {
 
 // The two ways in which drivers end the process, in place of libc's (CMakeLists.txt exports them): LLVM may take
 // SIGABRT for itself and abort in one and the same call.
-extern "C" [[noreturn]] void abort() noexcept {
+extern "C" __attribute__((noreturn)) void abort() noexcept {
   if (guards > 0) driver_died(SIGABRT);
   std::signal(SIGABRT, SIG_DFL);
   ::raise(SIGABRT);

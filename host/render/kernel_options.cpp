@@ -26,6 +26,7 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
   const unsigned phases = bits_used(s.media, [](const MediumBody& m) { return m.phase; });
   const unsigned shapes = bits_used(s.shapes, [](const Shape& shape) { return shape.type; });
   const unsigned lights = bits_used(s.lights, [](const Light& l) { return l.type; });
+  const unsigned rules = s.media.empty() ? 0u : 1u << plan.frame.in_scattering;
   return {
       {"MEDIA", static_cast<unsigned>(std::min<std::size_t>(s.media.size(), 2)), 2, "media"},
       {"COLOR_TAU", static_cast<unsigned>(s.color_tau), 1, "an optical depth for each channel"},
@@ -35,7 +36,7 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
       {"ROULETTE", plan.frame.roulette > 0, 1, "roulette"},
       {"SPHERE_REGION", (regions >> REGION_SPHERE) & 1u, 1, "media cut to spheres"},
       {"LIGHT_GRID", plan.light_entries > 0, 1, "light grids"},
-      {"IN_SCATTERINGS_USED", 1u << plan.frame.in_scattering, all_bits(IN_SCATTERING_COUNT), "rules of in-scattering"},
+      {"IN_SCATTERINGS_USED", rules, all_bits(IN_SCATTERING_COUNT), "rules of in-scattering"},
       {"PHASES_USED", phases, all_bits(PHASE_COUNT), "phase functions"},
       {"SHAPES_USED", shapes, all_bits(SHAPE_COUNT), "shapes"},
       {"TRIANGLES", !s.triangles.empty(), 1, "triangles"},

@@ -42,7 +42,7 @@ TEST(WitnessDraws, AreSpreadOverThePicture) {
       ++quarters[std::size_t((draws[i].x >= 50) + 2 * (draws[i].y >= 40))];
       EXPECT_NEAR(draws[i].weight, 1, 1e-4);
     }
-    for (const unsigned count : quarters) EXPECT_NEAR(count, first / 4, first / 10);
+    for (const unsigned count : quarters) EXPECT_NEAR(count, 0.25 * first, 0.1 * first);
   }
 }
 

@@ -7,6 +7,7 @@
 #include "cli/render_arguments.hpp"
 #include "load/loaded_scene.hpp"
 #include "scene/scene_desc.hpp"
+#include "witness/witnesses.hpp"
 
 namespace brume {
 

@@ -135,40 +135,53 @@ std::optional<DeviceInfo> choose_beside_volume(const RenderArguments& arguments)
   return device_choose(arguments.device);
 }
 
-int render_run(RenderArguments arguments) {
-  Stopwatch total, lap;
-  arguments.complete();
-  if (arguments.quiet) notes_mute();
-  check_outputs(arguments);
-  const std::string input = arguments.scene.string();
-  LoadedScene loaded;
-  loaded.needed_again = false;  // one picture needs the files no longer
-  const auto told = [&](const std::string& text) { say(arguments, text); };
-  const std::optional<DeviceInfo> chosen = choose_beside_volume(arguments);
-  const SceneDesc asked = with_memory(input, [&] { return scene_describe(arguments, loaded, told); });
-  check_part(arguments, asked.film.size);
-
-  const DeviceInfo device = chosen ? *chosen : device_choose(arguments.device);
-  const int lanes = lanes_choose(device, arguments.lanes);
-  Context context(device);
+// A scene as it is to be rendered, with what is to be told of it.
+struct Prepared {
+  SceneDesc desc;
+  PlannedScene flat;
   std::vector<std::string> notes;
-  RunTimes times;
+  double pilot_s = 0;
+};
+
+Prepared prepare(const RenderArguments& arguments, const SceneDesc& asked, LoadedScene& loaded, Context& context,
+                 int lanes) {
+  Prepared made;
+  const std::string input = arguments.scene.string();
+  const auto told = [&](const std::string& text) { say(arguments, text); };
   const Stopwatch pilot;
   loaded.needed_again = asked.render.has_goal();
-  const SceneDesc desc =
-      with_memory(input, [&] { return picture_for_goal(arguments, asked, loaded, context, lanes, notes, told); });
+  made.desc =
+      with_memory(input, [&] { return picture_for_goal(arguments, asked, loaded, context, lanes, made.notes, told); });
+  made.pilot_s = pilot.seconds();
   if (!arguments.save_scene.empty())
-    atomic_write(arguments.save_scene, scene_write(desc, arguments.save_scene.parent_path()));
-  times.pilot_s = pilot.seconds();
-  loaded.needed_again = false;
-  const PlannedScene flat = with_memory(input, [&] {
-    return flatten(desc, loaded, {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha, arguments.witness != 0});
+    atomic_write(arguments.save_scene, scene_write(made.desc, arguments.save_scene.parent_path()));
+  loaded.needed_again = false;  // one picture needs the files no longer
+  made.flat = with_memory(input, [&] {
+    return flatten(made.desc, loaded,
+                   {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha, arguments.witness != 0});
   });
-  loaded = {};  // one picture needs the files no longer
-  for (const std::string& note : flat.all_notes()) notes.push_back(note);
-  for (const std::string& note : notes) say(arguments, "note: " + note);
-  times.load_s = lap.lap() - times.pilot_s;
+  for (const std::string& note : made.flat.all_notes()) made.notes.push_back(note);
+  for (const std::string& note : made.notes) told("note: " + note);
+  return made;
+}
 
+// False where it was interrupted.
+bool error_measure(const RenderArguments& arguments, const Prepared& prepared, const Film& film, double render_s,
+                   PictureError& error) {
+  try {
+    if (arguments.samples.empty())
+      error = picture_error(prepared.flat, film, arguments.witness, render_s, prepared.desc.render);
+    return true;
+  } catch (const Interrupted&) {
+    return false;
+  }
+}
+
+int picture_make(const RenderArguments& arguments, const Prepared& prepared, Context& context, int lanes,
+                 RunTimes& times, const Stopwatch& total) {
+  const SceneDesc& desc = prepared.desc;
+  const PlannedScene& flat = prepared.flat;
+  std::vector<std::string> notes = prepared.notes;
   FilmPart part =
       with_memory("a film of " + size_text(desc.film.size), [&] { return part_begin(arguments.resume, desc, flat); });
   Film& film = part.film;
@@ -190,7 +203,7 @@ int render_run(RenderArguments arguments) {
     times.total_s = total.seconds();
     if (!arguments.stats.empty())
       attempt(failures, arguments.stats, [&] {
-        atomic_write(arguments.stats, render_stats_json(desc, flat, device, renderer.stats(), error, times));
+        atomic_write(arguments.stats, render_stats_json(desc, flat, context.device(), renderer.stats(), error, times));
       });
     if (!failures.empty()) throw RuntimeError(failures);
   };
@@ -201,18 +214,36 @@ int render_run(RenderArguments arguments) {
   };
   bool unknown = false;  // an interruption left the error of a complete picture open
   const bool complete = render_film(arguments, renderer, work, film, rescue, [&] {
-    try {
-      if (arguments.samples.empty())
-        error = picture_error(flat, film, arguments.witness, renderer.stats().render_s, desc.render);
-    } catch (const Interrupted&) {
-      unknown = true;
-    }
+    unknown = !error_measure(arguments, prepared, film, renderer.stats().render_s, error);
   });
   write(complete);
-  say(arguments, render_summary(desc, flat, device, renderer.stats(), error, times));
+  say(arguments, render_summary(desc, flat, context.device(), renderer.stats(), error, times));
   if (unknown) throw Interrupted("interrupted; the picture is complete and written, its error is not known");
   if (!complete) throw Interrupted("interrupted; what was done has been written" + resume_hint(part_file));
   return arguments.strict && !notes.empty() ? 1 : 0;
+}
+
+int render_run(RenderArguments arguments) {
+  Stopwatch total, lap;
+  arguments.complete();
+  if (arguments.quiet) notes_mute();
+  check_outputs(arguments);
+  const std::string input = arguments.scene.string();
+  LoadedScene loaded;
+  loaded.needed_again = false;  // one picture needs the files no longer
+  const std::optional<DeviceInfo> chosen = choose_beside_volume(arguments);
+  const SceneDesc asked = with_memory(
+      input, [&] { return scene_describe(arguments, loaded, [&](const std::string& text) { say(arguments, text); }); });
+  check_part(arguments, asked.film.size);
+  const DeviceInfo device = chosen ? *chosen : device_choose(arguments.device);
+  const int lanes = lanes_choose(device, arguments.lanes);
+  Context context(device);
+  const Prepared prepared = prepare(arguments, asked, loaded, context, lanes);
+  loaded = {};
+  RunTimes times;
+  times.pilot_s = prepared.pilot_s;
+  times.load_s = lap.lap() - times.pilot_s;
+  return picture_make(arguments, prepared, context, lanes, times, total);
 }
 
 }  // namespace

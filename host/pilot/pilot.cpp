@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/error.hpp"
 #include "base/stopwatch.hpp"
 #include "film/film_write.hpp"
 #include "flat/media_methods.hpp"
@@ -55,6 +56,11 @@ Pilot::Pilot(ChartScene& scene, const std::vector<int>& methods) : scene_(scene)
     knobs.light_grid = 0;
     families_.push_back(steps_of(desc, knobs, scene.limits()));
   }
+  if (families_.empty())
+    throw InputError(
+        desc.file.string() +
+        ": /render: for an error or a time a method is needed that draws no random numbers; allowed: auto, "
+        "march_midpoint, dda_midpoint, dda_gauss2, dda_nearest, homogeneous");
   std::stable_sort(families_.begin(), families_.end(),
                    [&](const auto& a, const auto& b) { return scene_.cost(a.front()) < scene_.cost(b.front()); });
   // A first look: which pixels are bright.
@@ -109,13 +115,12 @@ const PilotTrial& Pilot::trial(const Knobs& knobs) {
 // than the best so far.
 PilotChoice Pilot::quickest(const RenderDesc& goal) {
   const PilotTrial* best = nullptr;
-  const PilotTrial* nearest = nullptr;
+  const PilotTrial* nearest = &trial(families_.front().front());
   for (const std::vector<Knobs>& family : families_) {
     if (best && scene_.cost(family.front()) > DEARER * scene_.cost(best->knobs)) continue;
     for (const Knobs& knobs : family) {
       const PilotTrial& it = trial(knobs);
-      if (!nearest || error_in(it.error, goal.error_metric) < error_in(nearest->error, goal.error_metric))
-        nearest = &it;
+      if (error_in(it.error, goal.error_metric) < error_in(nearest->error, goal.error_metric)) nearest = &it;
       if (best && it.seconds >= best->seconds) break;
       if (error_at_most(it.error, goal.error_metric) > *goal.max_error) continue;
       best = &it;
@@ -127,11 +132,11 @@ PilotChoice Pilot::quickest(const RenderDesc& goal) {
 
 PilotChoice Pilot::closest(const RenderDesc& goal) {
   const PilotTrial* best = nullptr;
-  const PilotTrial* first = nullptr;
+  const PilotTrial* first = &trial(families_.front().front());
   for (const std::vector<Knobs>& family : families_)
     for (const Knobs& knobs : family) {
       const PilotTrial& it = trial(knobs);
-      if (!first || it.seconds < first->seconds) first = &it;
+      if (it.seconds < first->seconds) first = &it;
       if (it.seconds > *goal.time_budget) break;
       if (!best || error_in(it.error, goal.error_metric) < error_in(best->error, goal.error_metric)) best = &it;
     }

@@ -27,7 +27,8 @@ struct PilotChoice {
 class Pilot {
  public:
   // `methods`: of which to choose. They should fit the scene; those that draw random numbers are left out: their noise
-  // falls with the samples of a pixel, which are not the pilot's to choose. Throws Interrupted.
+  // falls with the samples of a pixel, which are not the pilot's to choose. InputError where none is left. Throws
+  // Interrupted.
   Pilot(ChartScene& scene, const std::vector<int>& methods);
 
   // For an error: the quickest candidate that is surely below it, on pixels that had no part in choosing it too; where

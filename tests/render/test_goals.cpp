@@ -58,11 +58,13 @@ TEST_F(Goals, OfTimeComeCloserThanTheQuickest) {
 }
 
 TEST_F(Goals, ThatMeanNothingAreRefusedOrNoted) {
-  for (const auto& [options, message] : {std::pair{"--max-error 0", "max_error: expected"},
-                                         {"--max-error 0.1 --time-budget 1", "expected without max_error"},
-                                         {"--max-error 0.1 --error-metric mse", "unknown error metric 'mse'"},
-                                         {"--max-error 0.1 --method dda_nearest", "fits no medium"},
-                                         {"--witness -1", "--witness"}}) {
+  for (const auto& [options, message] :
+       {std::pair{"--max-error 0", "max_error: expected"},
+        {"--max-error 0.1 --time-budget 1", "expected without max_error"},
+        {"--max-error 0.1 --error-metric mse", "unknown error metric 'mse'"},
+        {"--max-error 0.1 --method dda_nearest", "fits no medium"},
+        {"--max-error 0.1 --method ratio_tracking", "a method is needed that draws no random numbers"},
+        {"--witness -1", "--witness"}}) {
     const Outcome outcome = run("render fog.json -o b.exr " + std::string(options));
     EXPECT_EQ(outcome.exit_code, 2) << options;
     EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;

@@ -1,21 +1,20 @@
-// brume bench: throughput and accuracy on Google Benchmark; times are those of whole renders without kernel builds.
-#include <benchmark/benchmark.h>
-
+// brume bench: throughput and accuracy of brume, and of others on the same work.
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdio>
-#include <map>
 #include <memory>
 
+#include "base/atomic_file.hpp"
 #include "base/error.hpp"
-#include "base/interrupt.hpp"
-#include "base/stopwatch.hpp"
+#include "base/number_text.hpp"
+#include "base/streams.hpp"
+#include "benchmarks.hpp"
 #include "cli/command.hpp"
-#include "film/film_compare.hpp"
-#include "film/film_write.hpp"
-#include "measure.hpp"
-#include "peers.hpp"
-#include "render/device_scene.hpp"
+#include "compare.hpp"
+#include "render/renderer.hpp"
+#include "scaling.hpp"
+#include "scratch.hpp"
+#include "specialised.hpp"
+#include "version.hpp"
 
 namespace brume {
 
@@ -24,157 +23,96 @@ namespace {
 using namespace bench;
 
 struct BenchArguments {
-  std::string device, filter = ".", json;
-  int size = 512, repetitions = 3;
-  bool peers = false;
+  std::string device;
+  std::filesystem::path json, scaling;
+  std::vector<std::filesystem::path> compare, kernels;
+  BenchOptions options;
+  int size = 512, most = 256;
+  bool has_size = false;
+
+  int run() const;
 };
 
-// A folder for volumes and pictures, gone at the end.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (std::filesystem::temp_directory_path() / "brume_bench_XXXXXX").string();
-    if (!mkdtemp(name.data())) throw RuntimeError(name + ": cannot be created");
-    path_ = name;
-    interrupt_removes(path_);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  const std::filesystem::path& path() const { return path_; }
+constexpr std::size_t NAME_WIDTH = 48;
 
- private:
-  std::filesystem::path path_;
-};
-
-void render_benchmark(::benchmark::State& state, const DeviceInfo& device, const Workload& work,
-                      const Setting& setting) {
-  Context context(device);  // counts the memory of this render alone
-  const int lanes = lanes_choose(context.device(), 0);
-  const FlatScene& flat = flat_scene(work, setting, lanes);
-  Renderer renderer(context, std::make_shared<DeviceScene>(context, flat), plan_of(work, setting, flat),
-                    {lanes, false, 0});
-  Film film({0, 0});
-  for (auto unused : state) {
-    (void)unused;
-    const Stopwatch watch;
-    film = Film(work.desc.film.size);
-    if (!renderer.render(film, [](double) { return !interrupt_requested(); })) interrupt_check();
-    state.SetIterationTime(watch.seconds());
-  }
-  const CompareResult error = image_compare(film_image(film), exact_picture(context, work));
-  state.counters["rel_rmse"] = error.rel_rmse;
-  state.counters["device_MB"] = static_cast<double>(renderer.stats().device_bytes) / 1e6;
-  state.counters["lookups"] = renderer.stats().lookups;
-}
-
-void peer_benchmark(::benchmark::State& state, const Workload& work, const std::filesystem::path& folder) {
-  std::optional<PeerRun> run;
-  for (auto unused : state) {
-    (void)unused;
-    run = vdb_render_run(work, folder, false);
-    if (!run) return state.SkipWithError("vdb_render did not run");
-    state.SetIterationTime(run->render_s);
-  }
-  static std::map<std::string, std::optional<PeerRun>> known;  // takes minutes, serves all repetitions
-  if (!known.count(work.name)) known[work.name] = vdb_render_run(work, folder, true);
-  const std::optional<PeerRun>& converged = known[work.name];
-  if (!converged) return state.SkipWithError("vdb_render did not run");
-  state.counters["rel_rmse"] = image_compare(image_read(run->picture), image_read(converged->picture)).rel_rmse;
-  state.counters["process_s"] = run->process_s;
-}
-
-void mitsuba_benchmark(::benchmark::State& state, const DeviceInfo& device, const Workload& work,
-                       const std::filesystem::path& folder) {
-  std::optional<MitsubaRun> run;
-  for (auto unused : state) {
-    (void)unused;
-    run = mitsuba_run(work, folder);
-    if (!run) return state.SkipWithError("no Mitsuba here (BRUME_PYTHON names a Python that has it)");
-    state.SetIterationTime(run->render_s);
-  }
-  const Image one = image_read(run->pictures[0]), two = image_read(run->pictures[1]);
-  state.counters["rel_rmse"] = image_compare(one, two).rel_rmse / std::sqrt(2.0);  // two errors of the same size
-  Context context(device);
-  const Image& exact = exact_picture(context, work);
-  double theirs = 0, ours = 0;
-  for (std::size_t i = 0; i < exact.values.size(); ++i) {
-    theirs += 0.5 * (double(one.values[i]) + two.values[i]);
-    ours += exact.values[i];
-  }
-  state.counters["mean_to_exact"] = theirs / ours;
-}
-
-void process_benchmark(::benchmark::State& state, const SceneDesc& desc, const std::filesystem::path& folder) {
-  brume_process_seconds(desc, folder);  // fills the kernel cache
-  for (auto unused : state) {
-    (void)unused;
-    const std::optional<double> seconds = brume_process_seconds(desc, folder);
-    if (!seconds) return state.SkipWithError("brume did not run");
-    state.SetIterationTime(*seconds);
-  }
-}
-
-const Setting& setting_of(const std::string& name) {
-  for (const Setting& s : settings())
-    if (s.name == name) return s;
-  throw RuntimeError("no setting " + name);
-}
-
-void register_all(const DeviceInfo& device, const std::vector<Workload>& all, const BenchArguments& arguments,
-                  const std::filesystem::path& folder) {
-  const auto manual = [&](::benchmark::internal::Benchmark* b, bool slow = false) {
-    b->UseManualTime()->Unit(::benchmark::kMillisecond)->Iterations(1);
-    b->Repetitions(slow ? 1 : arguments.repetitions);
-    if (!slow) b->ReportAggregatesOnly(true);
-  };
-  for (const Workload& work : all) {
-    if (arguments.peers)
-      manual(::benchmark::RegisterBenchmark(
-          ("peer/" + work.name + "/vdb_render").c_str(),
-          [&work, folder](::benchmark::State& state) { peer_benchmark(state, work, folder); }));
-    if (arguments.peers)
-      manual(::benchmark::RegisterBenchmark(("peer/" + work.name + "/mitsuba_64spp").c_str(),
-                                            [&device, &work, folder](::benchmark::State& state) {
-                                              mitsuba_benchmark(state, device, work, folder);
-                                            }),
-             true);
-    for (const char* name : {"march_midpoint_2/grid64", "march_midpoint_4/grid32", "march_midpoint_6/grid24"})
-      manual(::benchmark::RegisterBenchmark(("process/" + work.name + "/" + name).c_str(),
-                                            [&work, name, folder](::benchmark::State& state) {
-                                              process_benchmark(state, scene_of(work, setting_of(name)), folder);
-                                            }));
-    for (const Setting& setting : settings())
-      manual(::benchmark::RegisterBenchmark(("render/" + work.name + "/" + setting.name).c_str(),
-                                            [&device, &work, &setting](::benchmark::State& state) {
-                                              render_benchmark(state, device, work, setting);
-                                            }),
-             setting.shadow == SHADOW_TRACE);  // seconds to minutes each
-  }
+void print(const std::string& text) {
+  std::fputs(text.c_str(), stdout);
+  stdout_flush();
 }
 
 int bench_run(const BenchArguments& arguments) {
+  if (!arguments.json.empty()) AtomicFile probe(arguments.json);  // not after an hour
   const Scratch scratch;
   const std::vector<Workload> all = workloads(scratch.path(), arguments.size);
   const DeviceInfo device = device_choose(arguments.device);
-  std::vector<std::string> words{"brume bench", "--benchmark_filter=" + arguments.filter,
-                                 "--benchmark_counters_tabular=true"};
-  if (!arguments.json.empty()) {
-    words.push_back("--benchmark_out=" + arguments.json);
-    words.push_back("--benchmark_out_format=json");
-  }
-  std::vector<char*> pointers;
-  for (std::string& word : words) pointers.push_back(word.data());
-  int count = static_cast<int>(pointers.size());
-  ::benchmark::Initialize(&count, pointers.data());
-  ::benchmark::AddCustomContext("device", device.title());
-  register_all(device, all, arguments, scratch.path());
-  if (::benchmark::RunSpecifiedBenchmarks() == 0)
-    throw InputError("--filter: no benchmark matches '" + arguments.filter + "'");
+  Results results{VERSION, device.title(), device.driver, device.compute_units, lanes_choose(device, 0), arguments.size,
+                  {}};
+  const std::string side = std::to_string(results.size);
+  const auto begin = [&] {
+    print(device.title() + ", driver " + device.driver + ", " + std::to_string(results.lanes) + " lanes, " + side +
+          " x " + side + " pixels\n\n" + rows_header(NAME_WIDTH));
+  };
+  results.rows = benchmarks_run(device, all, arguments.options, scratch.path(), begin,
+                                [](const Row& row) { print(row_text(row, NAME_WIDTH)); });
+  print(rows_legend());
+  if (!arguments.json.empty()) atomic_write(arguments.json, results_json(results));
   return 0;
+}
+
+int bench_compare(const BenchArguments& arguments) {
+  print(results_compare(results_read(arguments.compare[0]), results_read(arguments.compare[1])));
+  return 0;
+}
+
+int bench_kernels(const BenchArguments& arguments) {
+  if (!arguments.json.empty()) AtomicFile probe(arguments.json);
+  const Scratch scratch;
+  const DeviceInfo device = device_choose(arguments.device);
+  print(device.title() + ", driver " + device.driver + "\n\n" + specialised_header());
+  const SpecialisedOptions options{arguments.device, arguments.has_size ? arguments.size : 0,
+                                   arguments.options.repetitions};
+  const std::vector<SpecialisedRow> rows = specialised_run(
+      arguments.kernels, options, scratch.path(), [](const SpecialisedRow& row) { print(specialised_text(row)); });
+  print(specialised_legend());
+  if (!arguments.json.empty()) atomic_write(arguments.json, specialised_json(rows));
+  return 0;
+}
+
+void print_axis_end(const ScalingAxis& axis) {
+  const auto text = [](const std::optional<double>& exponent) { return exponent ? number_text(*exponent, 3) : "?"; };
+  const double measured = axis.exponent().value_or(axis.expected);
+  print("  exponent " + text(axis.exponent()) + ", of lookups " + text(axis.lookups_exponent()) + "; expected " +
+        number_text(axis.expected) + ": " + axis.because +
+        (measured > axis.expected + SCALING_WORSE ? "\n  WORSE, suspect " + axis.suspect + "\n\n" : "\n\n"));
+}
+
+int bench_scaling(const BenchArguments& arguments) {
+  std::filesystem::create_directories(arguments.scaling);
+  const auto file = [&](const char* name) { return arguments.scaling / name; };
+  AtomicFile(file("scaling.json"));  // not after minutes
+  const Scratch scratch;
+  const DeviceInfo device = device_choose(arguments.device);
+  print(device.title() + ", driver " + device.driver + "\n\n");
+  const std::vector<ScalingAxis> axes = scaling_run(
+      {arguments.device, arguments.options.repetitions, arguments.most}, scratch.path(),
+      [](const ScalingAxis& axis) { print(axis.name + "\n"); },
+      [](const ScalingPoint& point) {
+        print(column(std::to_string(point.value), 8) + column(seconds_text(point.seconds), 12) +
+              column(point.spread > 0 ? share_text(point.spread / point.seconds) : "-", 10) +
+              column(number_text(point.lookups, 3), 12) + " lookups\n");
+      },
+      print_axis_end);
+  atomic_write(file("scaling.json"), scaling_json(device.title(), axes));
+  print(file("scaling.json").string() + "\n");
+  if (scaling_plot(device.title(), axes, file("scaling.svg"), file("scaling.png")))
+    print(file("scaling.svg").string() + "\n" + file("scaling.png").string() + "\n");
+  return 0;
+}
+
+int BenchArguments::run() const {
+  if (!scaling.empty()) return bench_scaling(*this);
+  if (!compare.empty()) return bench_compare(*this);
+  return kernels.empty() ? bench_run(*this) : bench_kernels(*this);
 }
 
 }  // namespace
@@ -182,15 +120,43 @@ int bench_run(const BenchArguments& arguments) {
 void command_bench(CLI::App& app, Command& run) {
   CLI::App* command = app.add_subcommand("bench", "Measure time and error of every method on set work");
   auto arguments = std::make_shared<BenchArguments>();
+  BenchOptions& options = arguments->options;
   command->add_option("--device", arguments->device, "Index or part of the name of an OpenCL device");
-  command->add_option("--filter", arguments->filter, "Only benchmarks whose name matches this expression");
+  command->add_option("--filter", options.filter, "Only benchmarks whose name matches this expression");
   command->add_option("--json", arguments->json, "Write the results as JSON");
-  command->add_option("--size", arguments->size, "Pixels per side")->check(CLI::Range(16, 4096));
-  command->add_option("--repetitions", arguments->repetitions, "Runs of each; the median counts")
+  CLI::Option* size = command->add_option("--size", arguments->size, "Pixels per side");
+  size->check(CLI::Range(16, 4096));
+  command
+      ->add_option("--repetitions", options.repetitions,
+                   "Runs of each, of those that trace light a third; the median counts")
       ->check(CLI::Range(1, 100));
-  command->add_flag("--peers", arguments->peers,
+  command->add_flag("--peers", options.peers,
                     "Run vdb_render and Mitsuba on the same work too, where they are installed");
-  command->callback([arguments, &run] { run = [arguments] { return bench_run(*arguments); }; });
+  command
+      ->add_option("--compare", arguments->compare,
+                   "Measure nothing: what changed from one --json to another by more than its noise")
+      ->expected(2)
+      ->type_name("BEFORE.json AFTER.json");
+  command
+      ->add_option("--kernels", arguments->kernels,
+                   "Measure these scenes instead: what building and rendering takes with kernels of their own and with "
+                   "generic ones")
+      ->type_name("SCENE...")
+      ->check(CLI::ExistingFile)
+      ->excludes("--compare");
+  command
+      ->add_option("--scaling", arguments->scaling,
+                   "Measure how the time of a fog grows with pixels, steps, voxels, lights, media and threads instead: "
+                   "scaling.json, .svg and .png in this folder")
+      ->type_name("DIR")
+      ->excludes("--compare")
+      ->excludes("--kernels");
+  command->add_option("--most", arguments->most, "Of --scaling: the largest number of anything")
+      ->check(CLI::Range(2, 1024));
+  command->callback([arguments, size, &run] {
+    arguments->has_size = size->count() > 0;
+    run = [arguments] { return arguments->run(); };
+  });
 }
 
 }  // namespace brume

@@ -8,6 +8,7 @@
 #include "base/interrupt.hpp"
 #include "film/film_write.hpp"
 #include "flat/flatten.hpp"
+#include "plan/planned_scene.hpp"
 #include "render/device_scene.hpp"
 #include "shared/method.h"
 

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.hpp"
+#include "base/command_line.hpp"
 #include "mitsuba_script.hpp"
 #include "peers.hpp"
-#include "process.hpp"
 
 namespace brume::bench {
 

@@ -1,5 +1,6 @@
-"""One volume under one sun by Mitsuba 3, single scattering, for `brume bench --peers`: peer_mitsuba.py WORK.json. Renders twice with other seeds
-after a small picture that has the kernels compiled; prints the seconds of the second one."""
+"""One volume under one sun by Mitsuba 3, single scattering, for `brume bench --peers`: peer_mitsuba.py WORK.json.
+Renders twice with other seeds after a small picture that has the kernels compiled; prints the seconds of the second
+one."""
 import json
 import os
 import sys
@@ -37,9 +38,10 @@ def scene(width, height):
             "film": {"type": "hdrfilm", "width": width, "height": height, "rfilter": {"type": "box"}},
             "sampler": {"type": "independent"},
         },
-        "sun": {"type": "directional", "direction": work["direction"], "irradiance": {"type": "rgb", "value": work["irradiance"]}},
-        "fog": {"type": "cube", "to_world": onto_bounds @ T().translate([0.5, 0.5, 0.5]).scale(0.5), "bsdf": {"type": "null"},
-                "interior": medium},
+        "sun": {"type": "directional", "direction": work["direction"],
+                "irradiance": {"type": "rgb", "value": work["irradiance"]}},
+        "fog": {"type": "cube", "to_world": onto_bounds @ T().translate([0.5, 0.5, 0.5]).scale(0.5),
+                "bsdf": {"type": "null"}, "interior": medium},
     })
 
 

@@ -9,8 +9,8 @@
 #include <sstream>
 
 #include "base/atomic_file.hpp"
+#include "base/command_line.hpp"
 #include "base/stopwatch.hpp"
-#include "process.hpp"
 #include "scene/scene_writer.hpp"
 
 namespace brume::bench {
@@ -23,18 +23,16 @@ std::string words(const dvec3& v) {
   return text;
 }
 
-std::string quoted(const std::filesystem::path& path) { return "'" + path.string() + "'"; }
-
 std::string vdb_render_command(const Workload& work, const std::filesystem::path& picture, bool converged) {
   const SceneDesc& d = work.desc;
   const MediumDesc& m = d.media[0];
   const dvec3 radiance = d.lights[0].intensity / (4 * M_PI);  // it knows no phase function
   std::ostringstream command;
-  command << "vdb_render " << quoted(work.file) << " " << quoted(picture) << " -v -cpus 0 -res " << d.film.size.x << "x"
-          << d.film.size.y << " -fov " << d.camera.vfov << " -translate " << words(d.camera.eye) << " -lookat "
-          << words(d.camera.target) << " -absorb " << words(m.sigma_a * work.voxel_size()) << " -scatter "
-          << words(m.sigma_s * work.voxel_size()) << " -gain 1 -light " << words(-glm::normalize(d.lights[0].direction))
-          << "," << words(radiance);
+  command << "vdb_render " << shell_quoted(work.file) << " " << shell_quoted(picture) << " -v -cpus 0 -res "
+          << d.film.size.x << "x" << d.film.size.y << " -fov " << d.camera.vfov << " -translate " << words(d.camera.eye)
+          << " -lookat " << words(d.camera.target) << " -absorb " << words(m.sigma_a * work.voxel_size())
+          << " -scatter " << words(m.sigma_s * work.voxel_size()) << " -gain 1 -light "
+          << words(-glm::normalize(d.lights[0].direction)) << "," << words(radiance);
   if (converged) command << " -step 0.5 -shadowstep 1 -cutoff 1e-5";
   return command.str();
 }
@@ -54,11 +52,17 @@ double seconds_in_log(const std::filesystem::path& log) {
 
 }  // namespace
 
+std::string shell_quoted(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
+
 std::optional<PeerRun> vdb_render_run(const Workload& work, const std::filesystem::path& folder, bool converged) {
   const std::filesystem::path picture = folder / (work.name + (converged ? "_peer_converged.exr" : "_peer.exr"));
   const std::filesystem::path log = folder / "peer.log";
   const Stopwatch watch;
-  const std::string command = vdb_render_command(work, picture, converged) + " >" + quoted(log) + " 2>&1";
+  const std::string command = vdb_render_command(work, picture, converged) + " >" + shell_quoted(log) + " 2>&1";
   if (!command_succeeds(command) || !std::filesystem::exists(picture)) return std::nullopt;
   return PeerRun{seconds_in_log(log), watch.seconds(), picture};
 }
@@ -68,8 +72,8 @@ std::optional<double> brume_process_seconds(const SceneDesc& desc, const std::fi
                               program = std::filesystem::read_symlink("/proc/self/exe");
   atomic_write(scene, scene_write(desc, folder));
   const Stopwatch watch;
-  const std::string command = quoted(program) + " render " + quoted(scene) + " --quiet -o " +
-                              quoted(folder / "process.exr") + " >/dev/null 2>&1";
+  const std::string command = shell_quoted(program) + " render " + shell_quoted(scene) + " --quiet -o " +
+                              shell_quoted(folder / "process.exr") + " >/dev/null 2>&1";
   if (!command_succeeds(command)) return std::nullopt;
   return watch.seconds();
 }

@@ -2,10 +2,14 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "workload.hpp"
 
 namespace brume::bench {
+
+// As one word of the shell's.
+std::string shell_quoted(const std::string& text);
 
 struct PeerRun {
   double render_s;   // by its own clock

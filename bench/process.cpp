@@ -1,41 +1,25 @@
-// See process.hpp. Not std::system, which is deaf to Ctrl-C while it waits.
+// See process.hpp.
 #include "process.hpp"
 
-#include <spawn.h>
-#include <sys/wait.h>
+#include <nlohmann/json.hpp>
 
-#include <cerrno>
-#include <chrono>
-#include <csignal>
-#include <future>
-
+#include "base/command_line.hpp"
 #include "base/error.hpp"
-#include "base/interrupt.hpp"
-
-extern char** environ;
+#include "base/file_read.hpp"
+#include "peers.hpp"
 
 namespace brume::bench {
 
-bool command_succeeds(const std::string& command) {
-  posix_spawnattr_t attributes;
-  posix_spawnattr_init(&attributes);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-  std::string words[] = {"sh", "-c", command};
-  char* arguments[] = {words[0].data(), words[1].data(), words[2].data(), nullptr};
-  pid_t child = -1;
-  const int failure = posix_spawnp(&child, "sh", nullptr, &attributes, arguments, environ);
-  posix_spawnattr_destroy(&attributes);
-  if (failure != 0) return false;
-  std::future<int> done = std::async(std::launch::async, [child] {
-    int status = -1;
-    while (::waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
-    return status;
-  });
-  while (done.wait_for(std::chrono::milliseconds(20)) != std::future_status::ready)
-    if (interrupt_requested()) ::kill(-child, SIGKILL);
-  interrupt_check();
-  const int status = done.get();
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+ProcessTimes process_render(const std::filesystem::path& scene, const std::string& options,
+                            const std::string& environment, const std::filesystem::path& folder) {
+  const std::filesystem::path statistics = folder / "process.stats.json";
+  const std::string command = environment + " " + shell_quoted(std::filesystem::read_symlink("/proc/self/exe")) +
+                              " render " + shell_quoted(scene) + " --quiet --witness 0 --stats " +
+                              shell_quoted(statistics) + " -o " + shell_quoted(folder / "process.exr") + " " + options;
+  if (!command_succeeds(command + " >/dev/null")) throw RuntimeError(scene.string() + ": was not rendered");
+  const nlohmann::json one = nlohmann::json::parse(file_read_text(statistics, 1 << 20, "statistics of a render"));
+  return {one["kernel_build_s"], one["render_s"], one["size"][0].get<double>() * one["size"][1].get<double>(),
+          one["lookups"]};
 }
 
 }  // namespace brume::bench

@@ -11,7 +11,8 @@ set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 add_compile_options(-Wall -Wextra -Wshadow -Wswitch-enum)
 
 # Half of the compiler's work is reading headers, most of all those of the libraries: the files of a room are compiled
-# together, so that they read them once, and tests precompile them. OFF compiles each file by itself, which finds an include
+# together, so that they read them once, and tests precompile them. OFF compiles each file by itself, which finds an
+# include
 # that a file needs and has only from a neighbour.
 option(BRUME_JOIN_FILES "Compile the files of a room together and precompile the headers of tests" ON)
 

@@ -8,6 +8,8 @@ find_package(OpenCL REQUIRED)
 find_package(OpenCLHeaders REQUIRED)
 find_package(OpenCLHeadersCpp REQUIRED)
 
+find_package(PNG REQUIRED)
+
 # Debian's package names the folder of OpenCV's headers too, of which brume needs none.
 find_package(OpenImageIO REQUIRED)
 set_target_properties(OpenImageIO::OpenImageIO OpenImageIO::OpenImageIO_Util

@@ -20,6 +20,9 @@ TREE = {
     "kernels/lib/vec.cl": "",
     "kernels/phase/phase.cl": '#include "lib/vec.cl"\n',
     "kernels/passes/shade.cl": '#include "phase/phase.cl"\n#include "shared/light.h"\n',
+    "tests/unit/scene/scene_texts.hpp": '#include "base/error.hpp"\n',
+    "tests/unit/scene/test_reader.cpp": '#include "unit/scene/scene_texts.hpp"\n',
+    "tests/unit/base/test_error.cpp": '#include "base/error.hpp"\n',
 }
 
 # File, its text, what the report must say.
@@ -40,6 +43,9 @@ WRONG = [
     ("kernels/shared/ray.h", '#include "shared/ray.cl"', ".h files include .h files only"),
     ("kernels/shared/ray.cl", "", "holds .h files only"),
     ("kernels/passes/shade.cl", "#include <math.h>", "nothing from outside"),
+    ("tests/unit/test_error.cpp", '#include "base/error.hpp"', "tests/unit is no room of host/"),
+    ("tests/unit/odd/test_error.cpp", '#include "base/error.hpp"', "tests/unit/odd is no room of host/"),
+    ("tests/unit/scene/test_error.cpp", '#include "base/error.hpp"', "includes nothing of scene"),
 ]
 
 

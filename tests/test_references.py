@@ -1,17 +1,20 @@
 #!/usr/bin/env python3
-"""Every [Key] cited in a source stands in REFERENCES.md, once and in order; every entry there is cited, and by the files that
-it names. Not a check of authors, titles and links."""
+"""Every [Key] cited in a source stands in REFERENCES.md, once and in order; every entry there is cited, and by the
+files that it names. Every section of PICTURE.md that is cited is there. Not a check of authors, titles and links."""
 import re
 import unittest
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-CITING = ("host", "kernels", "tests", "bench", "ARCHITECTURE.md", "README.md", "scenes/README.md")
+CITING = ("host", "kernels", "tests", "bench", "ARCHITECTURE.md", "PICTURE.md", "README.md", "scenes/README.md")
 SUFFIXES = {".cpp", ".hpp", ".h", ".cl", ".md"}
 KEY = r"[A-Z][a-z][A-Za-z]*[0-9]{2}[a-z]?"
 CITATION = re.compile(rf"\[({KEY})(?:, [^\]\n]*)?\]")  # [Key] or [Key, where in it]
 ENTRY = re.compile(rf"^\*\*\[({KEY})\]\*\* ", re.MULTILINE)
-FILE = re.compile(r"`((?:host|kernels|tests|bench)/[^`]+)`")
+FILE = re.compile(r"`((?:host|kernels|tests|bench)/[^`]+|[A-Z]+\.md)`")
+SECTION = re.compile(r"PICTURE, \*?([A-Z][A-Za-z ]*?)\*?(?=[).;:,]| and |$)", re.MULTILINE)
+OWN_SECTION = re.compile(r"(?<!\*)\*([A-Z][A-Za-z ]+)\*(?!\*)")  # as PICTURE.md cites its own
+HEADING = re.compile(r"^#+ (.+)$", re.MULTILINE)
 
 
 def text_of(path):
@@ -60,9 +63,18 @@ class ReferencesTest(unittest.TestCase):
                 self.assertTrue(named, f"{key} names no file")
                 self.assertEqual(named - self.cited.get(key, set()), set(), key)
 
+    def test_sections_of_the_definition_are_there(self):
+        picture = text_of(ROOT / "PICTURE.md")
+        cited = {(path.name, name) for path in citing_files() for name in SECTION.findall(text_of(path))}
+        own = {("PICTURE.md", name) for name in OWN_SECTION.findall(picture)}
+        self.assertGreater(len(cited), 5)  # else the patterns above no longer find anything
+        self.assertGreater(len(own), 5)
+        headings = HEADING.findall(picture)
+        self.assertEqual(sorted(entry for entry in cited | own if entry[1] not in headings), [])
+
     def test_pattern_tells_citations_from_code(self):
-        for text, keys in (("[Kay86]", ["Kay86"]), ("[Jarzynski20, pcg4d]", ["Jarzynski20"]), ("[Smith07b]", ["Smith07b"]),
-                           ("names[UINT16]", []), ("[design §4]", []), ("data[i]", [])):
+        for text, keys in (("[Kay86]", ["Kay86"]), ("[Jarzynski20, pcg4d]", ["Jarzynski20"]),
+                           ("[Smith07b]", ["Smith07b"]), ("names[UINT16]", []), ("[chapter §4]", []), ("data[i]", [])):
             with self.subTest(text):
                 self.assertEqual(CITATION.findall(text), keys)
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Holds the includes of host/ and kernels/ against the rooms of ARCHITECTURE: who may include whom, and which extension
-may be included from where. Usage: check_includes.py [ROOT]; prints "file:line: what is wrong", exit 1 when anything is."""
+may be included from where; and the folders of tests/unit, which are rooms of host/. Usage: check_includes.py [ROOT];
+prints "file:line: what is wrong", exit 1 when anything is."""
 import re
 import sys
 from pathlib import Path
@@ -17,13 +18,18 @@ HOST = {
     "codec": "base image",
     "load": "base shared scene volume mesh image",
     "flat": "base shared scene volume mesh accel image load",
+    "plan": "base shared scene load flat",
     "cl": "base",
     "film": "base shared image",
-    "reference": "base shared flat film",
-    "render": "base shared flat film cl",
-    "check": "base shared scene volume flat film reference render cl",
-    "stability": "base shared scene flat film reference render cl check",
-    "cli": "base shared scene volume mesh accel image load flat cl film reference render check stability",
+    "reference": "base shared flat plan film",
+    "render": "base shared flat plan film cl",
+    "witness": "base shared flat plan film image reference",
+    "chart": "base shared scene load image flat plan cl film reference render witness",
+    "pilot": "base scene flat plan film image render witness chart shared",
+    "check": "base shared scene volume flat plan film reference render cl",
+    "stability": "base shared scene flat plan film reference render cl check",
+    "cli": "base shared scene volume mesh accel image load flat plan cl film reference render witness "
+    "chart pilot check stability",
     "": "base cli",  # host/main.cpp
 }
 KERNELS = {
@@ -46,11 +52,12 @@ LIBRARIES = {
     "openvdb/": "vdb",
     "tbb/": "vdb",
     "OpenImageIO/": "codec",
+    "png.h": "image",
     "CLI/": "cli",
-    "nlohmann/": "base scene check cli",
+    "nlohmann/": "base scene chart check cli",
 }
 # Header that the build makes -> the rooms that may see it.
-GENERATED = {"version.hpp": ("", "cli"), "codec_libraries.hpp": ("codec",)}
+GENERATED = {"version.hpp": ("", "cli"), "codec_libraries.hpp": ("codec",), "chart_texts.hpp": ("chart",)}
 INCLUDE = re.compile(r'^\s*#\s*include\s*(["<])([^">]+)[">]')
 
 
@@ -67,7 +74,8 @@ def quoted_error(root, path, included):
         return None if room_of(path) in GENERATED[included] else f"only {' and '.join(rooms)} may include {included}"
     allowed = (KERNELS if in_kernels else HOST)[room_of(path)].split() + [room_of(path)]
     if room not in allowed:
-        return f"{path.parts[0]}/{room_of(path)} may include {', '.join(filter(None, allowed)) or 'nothing'}, not {room or 'the root'}"
+        known = ", ".join(filter(None, allowed)) or "nothing"
+        return f"{path.parts[0]}/{room_of(path)} may include {known}, not {room or 'the root'}"
     if suffix not in ((".h", ".cl") if in_kernels else (".h", ".hpp")):
         return f"{path.parts[0]} does not include {suffix} files"
     if path.suffix == ".h" and suffix != ".h":
@@ -105,12 +113,23 @@ def file_errors(root, path):
                 yield number, f"{match[2]}: {error}"
 
 
+def unit_test_errors(root, path):
+    """A unit test lies in the folder of the room that it tests."""
+    room = path.parts[2] if len(path.parts) > 3 else ""
+    if room not in filter(None, HOST):
+        yield 1, f"{path.parent} is no room of host/"
+        return
+    text = (root / path).read_text(encoding="utf-8")
+    if path.suffix == ".cpp" and not re.search(rf'#include "(unit/)?{room}/', text):
+        yield 1, f"includes nothing of {room}: a unit test lies with the room that it tests"
+
+
 def tree_errors(root):
-    for folder in ("host", "kernels"):
+    for folder, errors in (("host", file_errors), ("kernels", file_errors), ("tests/unit", unit_test_errors)):
         for file in sorted((root / folder).rglob("*")):
             path = file.relative_to(root)
             if file.is_file():
-                for number, error in file_errors(root, path):
+                for number, error in errors(root, path):
                     yield f"{path}:{number}: {error}"
 
 

@@ -67,7 +67,7 @@ std::vector<std::string> ForeignLines::take() {
   ::close(file);
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) {
-    line = who_ + ": " + line;
+    line.insert(0, who_ + ": ");
     if (line.find_last_not_of(" \t\r") < who_.size() + 2 || std::find(lines.begin(), lines.end(), line) != lines.end())
       continue;
     lines.push_back(line);

@@ -4,7 +4,7 @@
 
 #include "check/check.hpp"
 #include "film/film.hpp"
-#include "flat/render_plan.hpp"
+#include "plan/render_plan.hpp"
 
 namespace brume {
 

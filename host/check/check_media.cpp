@@ -152,6 +152,16 @@ CheckCompare scatter_prepare(const SceneDesc& desc, int size) {
   };
 }
 
+LightDesc spot_through_fog() {
+  LightDesc spot;
+  spot.type = LIGHT_SPOT;
+  spot.position = {0.3, 1.6, -0.2};
+  spot.direction = {-0.3, -1, 0.1};
+  spot.angle = 20;
+  spot.softness = 0.4;
+  return spot;
+}
+
 using Prepare = CheckCompare (*)(const SceneDesc&, int size);
 Check medium_check(const std::string& name, const char* tolerance, Prepare prepare, const SceneDesc& desc) {
   return {name, tolerance, [prepare, desc](int size) { return prepare(desc, size); }};
@@ -206,6 +216,11 @@ std::vector<Check> medium_checks() {
            [](SceneDesc& desc, int storage) { desc.render.storage = storage; });
   add_rows(checks, "in_scattering/", in_scattering_family(), "scatter", scatter_prepare,
            [](SceneDesc& desc, int rule) { desc.render.in_scattering = rule; });
+  // its steps through a constant medium are its own
+  SceneDesc constant = fog_desc(density_kinds().back(), METHOD_AUTO);
+  constant.render.in_scattering = IN_SCATTERING_GAUSS2;
+  constant.lights.push_back(spot_through_fog());
+  checks.push_back(medium_check("in_scattering/gauss2/constant", "scatter", scatter_prepare, constant));
   add_rows(checks, "scatter/phase/", phase_family(), "scatter", scatter_prepare,
            [](SceneDesc& desc, int phase) { desc.media[0].phase = phase; });
   return checks;

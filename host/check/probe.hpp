@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cl/context.hpp"
-#include "flat/render_plan.hpp"
+#include "plan/render_plan.hpp"
 
 namespace brume {
 

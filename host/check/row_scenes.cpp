@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 #include "check/check_parts.hpp"
-#include "flat/flatten.hpp"
+#include "plan/planned_scene.hpp"
 #include "scene/families.hpp"
 #include "shared/shape.h"
 

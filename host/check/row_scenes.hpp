@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "flat/render_plan.hpp"
+#include "plan/render_plan.hpp"
 #include "scene/scene_desc.hpp"
 
 namespace brume {

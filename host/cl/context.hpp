@@ -24,7 +24,8 @@ class Context {
   // Of all buffers that still live, also those whose last use is under way.
   std::size_t allocated_bytes() const { return *allocated_; }
 
-  // A buffer of `bytes` (at least 64: an empty array is a valid argument, and its first element may be read for nothing), filled from `data` unless null.
+  // A buffer of `bytes` (at least 64: an empty array is a valid argument, and its first element may be read for
+  // nothing), filled from `data` unless null.
   // Throws RuntimeError naming `what`, the size and what the device allows.
   // `in_place`: the buffer is `data`.
   cl::Buffer buffer(const char* what, std::size_t bytes, const void* data = nullptr, bool in_place = false);

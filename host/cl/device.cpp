@@ -1,8 +1,13 @@
 // See device.hpp.
 #include "cl/device.hpp"
 
+#include <dlfcn.h>
+
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
+#include <fstream>
+#include <optional>
 
 #include "base/error.hpp"
 #include "base/foreign_lines.hpp"
@@ -41,17 +46,42 @@ bool device_matches(const DeviceInfo& info, const std::string& wanted) {
   return lower(info.name + " " + info.platform).find(lower(wanted)) != std::string::npos;
 }
 
-}  // namespace
+// While one lives, the loader finds PoCL's driver alone: those of other vendors bring libraries that take longer to
+// load than all else before the first call. Only where nobody has chosen drivers and PoCL can be loaded.
+class PoclAlone {
+ public:
+  PoclAlone() : set_(possible()) {
+    if (set_) ::setenv(VARIABLE, POCL, 0);
+  }
+  ~PoclAlone() {
+    if (set_) ::unsetenv(VARIABLE);
+  }
+  PoclAlone(const PoclAlone&) = delete;
+  PoclAlone& operator=(const PoclAlone&) = delete;
 
-int DeviceInfo::lanes() const {
-  if (!cpu) return 1;
-  return float_width >= 16 ? 16 : (float_width >= 8 ? 8 : 4);
-}
+ private:
+  static constexpr const char* VARIABLE = "OCL_ICD_VENDORS";
+  static constexpr const char* POCL = "/etc/OpenCL/vendors/pocl.icd";
 
-std::vector<DeviceInfo> device_list() {
+  static bool possible() {
+    for (const char* choice : {VARIABLE, "OCL_ICD_FILENAMES", "OPENCL_VENDOR_PATH", "POCL_DEVICES", "LD_PRELOAD"})
+      if (std::getenv(choice) != nullptr) return false;
+    std::string library;
+    std::ifstream file(POCL);
+    std::getline(file, library);
+    return !library.empty() && ::dlopen(library.c_str(), RTLD_LAZY) != nullptr;
+  }
+
+  bool set_;
+};
+
+// Only the first call in a process loads drivers.
+std::vector<DeviceInfo> devices_find(bool pocl_alone) {
   driver_environment();
   const DriverGuard guard;
   const ForeignLines lines("an OpenCL driver");
+  std::optional<PoclAlone> alone;
+  if (pocl_alone) alone.emplace();
   std::vector<DeviceInfo> devices;
   std::vector<cl::Platform> platforms;
   try {
@@ -72,13 +102,24 @@ std::vector<DeviceInfo> device_list() {
   return devices;
 }
 
+}  // namespace
+
+int DeviceInfo::lanes() const {
+  if (!cpu) return 1;
+  return float_width >= 16 ? 16 : (float_width >= 8 ? 8 : 4);
+}
+
+std::vector<DeviceInfo> device_list() { return devices_find(false); }
+
 DeviceInfo device_choose(const std::string& wanted) {
-  const std::vector<DeviceInfo> devices = device_list();
+  const std::vector<DeviceInfo> devices = devices_find(wanted.empty());
   if (devices.empty()) {
     const std::string problem = kernel_cache_problem();  // PoCL has no devices then
-    throw RuntimeError(
-        "no OpenCL device found: " +
-        (problem.empty() ? "install one (Debian: pocl-opencl-icd), and check OCL_ICD_VENDORS" : problem));
+    throw RuntimeError("no OpenCL device found: " +
+                       (problem.empty()
+                            ? "install one (Debian: pocl-opencl-icd), or name one with --device (see brume devices), "
+                              "and check OCL_ICD_VENDORS"
+                            : problem));
   }
   const std::string text = wanted.empty() ? "portable computing language" : wanted;
   for (const DeviceInfo& info : devices)

@@ -134,15 +134,16 @@ void handlers_install() {
 
 // The two ways in which drivers end the process, in place of libc's (CMakeLists.txt exports them): LLVM may take
 // SIGABRT for itself and abort in one and the same call.
-extern "C" [[noreturn]] void abort() noexcept {
+extern "C" __attribute__((noreturn)) void abort() noexcept {
   if (guards > 0) driver_died(SIGABRT);
   std::signal(SIGABRT, SIG_DFL);
   ::raise(SIGABRT);
   ::_exit(134);
 }
 
-extern "C" [[noreturn]] void __assert_fail(const char* assertion, const char* file, unsigned line,
-                                           const char*) noexcept {
+extern "C" [[noreturn]] void assert_failed(const char* assertion, const char* file, unsigned line,
+                                           const char* function) noexcept __asm__("__assert_fail");
+void assert_failed(const char* assertion, const char* file, unsigned line, const char*) noexcept {
   ::dprintf(STDERR_FILENO, "%s:%u: assertion failed: %s\n", file, line, assertion);
   abort();
 }

@@ -1,29 +1,53 @@
 // See file_kind.hpp.
 #include "cli/file_kind.hpp"
 
-#include <string>
+#include <algorithm>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/file_read.hpp"
+#include "volume/volume_file.hpp"
 
 namespace brume {
 
 namespace {
 
 struct KindRow {
-  const char* ending;
   FileKind kind;
+  const char* name;
+  std::vector<std::string> endings;
 };
-constexpr KindRow KINDS[] = {{".json", FileKind::SCENE}, {".vdb", FileKind::VOLUME}, {".obj", FileKind::MESH}};
+
+std::vector<KindRow> kinds() {
+  return {{FileKind::SCENE, "scene", {".json"}},
+          {FileKind::VOLUME, "volume", volume_endings()},
+          {FileKind::MESH, "mesh", {".obj"}}};
+}
+
+std::string joined(const std::vector<std::string>& endings) {
+  std::string text;
+  for (const std::string& ending : endings) text += (text.empty() ? "" : ", ") + ending;
+  return text;
+}
 
 }  // namespace
 
+std::string file_kinds_text() {
+  std::string text;
+  const std::vector<KindRow> rows = kinds();
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    text += (i == 0 ? "" : (i + 1 == rows.size() ? " or " : ", ")) + std::string(rows[i].name) + " (" +
+            joined(rows[i].endings) + ")";
+  return text;
+}
+
 FileKind file_kind(const std::filesystem::path& file) {
-  std::string known;
-  for (const KindRow& row : KINDS) {
-    if (file_ending(file) == row.ending) return row.kind;
-    known += (known.empty() ? "" : ", ") + std::string(row.ending);
+  std::vector<std::string> endings;
+  for (const KindRow& row : kinds()) {
+    if (std::find(row.endings.begin(), row.endings.end(), file_ending(file)) != row.endings.end()) return row.kind;
+    endings.insert(endings.end(), row.endings.begin(), row.endings.end());
   }
+  const std::string known = joined(endings);
   std::error_code failed;
   const std::filesystem::file_status status = std::filesystem::status(file, failed);
   if (std::filesystem::is_directory(status))

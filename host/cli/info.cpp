@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
+#include <glm/common.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -10,9 +11,10 @@
 #include "base/text_printable.hpp"
 #include "cli/command.hpp"
 #include "cli/file_kind.hpp"
+#include "cli/kernels_describe.hpp"
 #include "flat/bricks.hpp"
-#include "flat/flatten.hpp"
 #include "mesh/mesh.hpp"
+#include "plan/planned_scene.hpp"
 #include "scene/families.hpp"
 #include "scene/scene_reader.hpp"
 #include "volume/volume_file.hpp"
@@ -74,17 +76,47 @@ Json info_mesh(const Path& file) {
           {"notes", mesh.notes}};
 }
 
-Json medium_info(const FlatScene& flat, const Medium& m) {
+struct BrickCounts {
   std::size_t stored = 0, constant = 0;
-  const std::size_t count = std::size_t(m.brick_nx) * m.brick_ny * m.brick_nz;
-  for (glm::ivec3 b(0); b.z < m.brick_nz; ++b.z)
-    for (b.y = 0; b.y < m.brick_ny; ++b.y)
-      for (b.x = 0; b.x < m.brick_nx; ++b.x) {
+};
+
+// Those from brick `first` to before `end`.
+BrickCounts bricks_count(const FlatScene& flat, const Medium& m, glm::ivec3 first, glm::ivec3 end) {
+  BrickCounts counts;
+  for (glm::ivec3 b = first; b.z < end.z; ++b.z)
+    for (b.y = first.y; b.y < end.y; ++b.y)
+      for (b.x = first.x; b.x < end.x; ++b.x) {
         const std::int32_t entry = brick_entry(flat, m, b);
         if (entry == BRICK_EMPTY) continue;
-        ++stored;
-        constant += flat.brick_ranges[2 * std::size_t(entry)] == flat.brick_ranges[2 * std::size_t(entry) + 1];
+        ++counts.stored;
+        counts.constant += flat.brick_ranges[2 * std::size_t(entry)] == flat.brick_ranges[2 * std::size_t(entry) + 1];
       }
+  return counts;
+}
+
+// Blocks of bricks that share their entries, as the empty ones of a wide and sparse volume do, are counted once in a
+// row.
+BrickCounts bricks_count(const FlatScene& flat, const Medium& m) {
+  const glm::ivec3 bricks(m.brick_nx, m.brick_ny, m.brick_nz);
+  BrickCounts all, last;
+  std::int32_t last_entries = -1;
+  for (glm::ivec3 at(0); at.z < bricks.z; at.z += BRICK_BLOCK)
+    for (at.y = 0; at.y < bricks.y; at.y += BRICK_BLOCK)
+      for (at.x = 0; at.x < bricks.x; at.x += BRICK_BLOCK) {
+        const glm::ivec3 end = glm::min(at + BRICK_BLOCK, bricks);
+        const bool whole = end == at + BRICK_BLOCK;
+        const std::int32_t entries = brick_block_entries(flat, m, at / BRICK_BLOCK);
+        if (!whole || entries != last_entries) last = bricks_count(flat, m, at, end);
+        last_entries = whole ? entries : -1;
+        all.stored += last.stored;
+        all.constant += last.constant;
+      }
+  return all;
+}
+
+Json medium_info(const FlatScene& flat, const Medium& m) {
+  const auto [stored, constant] = bricks_count(flat, m);
+  const std::size_t count = std::size_t(m.brick_nx) * m.brick_ny * m.brick_nz;
   return {{"method", family_name(method_family(), m.method)},
           {"interpolation", family_name(interpolation_family(), m.interpolation)},
           {"cells", {m.cells_x, m.cells_y, m.cells_z}},
@@ -116,6 +148,7 @@ Json info_scene(const Path& file) {
             {"bvh", (flat.bvh_nodes.size() + flat.bvh_blocks.size()) * sizeof(float)}}},
           {"storage", family_name(storage_family(), flat.storage)},
           {"storage_error", flat.stored ? flat.stored->error : 0},
+          {"kernels", kernels_json(flat)},
           {"notes", flat.all_notes()}};
 }
 
@@ -124,12 +157,13 @@ Json (*describer(FileKind kind))(const Path&) {
   return kind == FileKind::MESH ? info_mesh : info_scene;
 }
 
-// Nested objects as indented lines "key: value".
+// Nested objects as indented lines "key: value", texts of a list as lines.
 void print_plain(const Json& json, int indent) {
   for (const auto& [key, value] : json.items()) {
-    const bool nested = value.is_object() || (value.is_array() && !value.empty() && value[0].is_object());
+    const bool nested = value.is_object() || (value.is_array() && !value.empty() && !value[0].is_number());
     const std::string text = value.is_string() ? text_printable(value.get<std::string>()) : json_line(value);
-    std::printf("%*s%s:%s%s\n", indent, "", key.c_str(), nested ? "" : " ", nested ? "" : text.c_str());
+    const std::string name = json.is_array() && value.is_string() ? "- " : key + (nested ? ":" : ": ");
+    std::printf("%*s%s%s\n", indent, "", name.c_str(), nested ? "" : text.c_str());
     if (nested) print_plain(value, indent + 2);
   }
 }
@@ -150,7 +184,7 @@ void command_info(CLI::App& app, Command& run) {
   CLI::App* command = app.add_subcommand("info", "Say what a scene, volume or mesh file holds");
   auto file = std::make_shared<Path>();
   auto json = std::make_shared<bool>(false);
-  command->add_option("file", *file, "Scene (.json), volume (.vdb) or mesh (.obj)")->required();
+  command->add_option("file", *file, "A " + file_kinds_text())->required();
   command->add_flag("--json", *json, "Print JSON");
   command->callback([file, json, &run] { run = [file, json] { return info_run(*file, *json); }; });
 }

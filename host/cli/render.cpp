@@ -16,18 +16,19 @@
 #include "cli/command.hpp"
 #include "cli/file_kind.hpp"
 #include "cli/output_files.hpp"
+#include "cli/picture_goal.hpp"
 #include "cli/progress.hpp"
 #include "cli/render_arguments.hpp"
 #include "cli/render_part.hpp"
 #include "cli/render_report.hpp"
+#include "cli/scene_describe.hpp"
 #include "film/film_partial.hpp"
 #include "film/film_write.hpp"
-#include "flat/bare_scene.hpp"
-#include "flat/flatten.hpp"
 #include "image/image_format.hpp"
+#include "plan/planned_scene.hpp"
 #include "render/renderer.hpp"
-#include "scene/scene_reader.hpp"
 #include "scene/scene_writer.hpp"
+#include "volume/volume_file.hpp"
 
 namespace brume {
 
@@ -35,26 +36,6 @@ namespace {
 
 void say(const RenderArguments& arguments, const std::string& text) {
   if (!arguments.quiet) std::fprintf(stderr, "brume: %s\n", text_printable(text).c_str());
-}
-
-// That of the overrides: the camera of a bare file depends on its shape.
-ivec2 film_size(const RenderArguments& arguments) {
-  std::vector<std::string> film;
-  for (const std::string& override : arguments.all_overrides())
-    if (override.rfind("/film", 0) == 0) film.push_back(override);
-  return scene_read_text("{}", arguments.scene, film).film.size;
-}
-
-SceneDesc describe(const RenderArguments& arguments, LoadedScene& loaded) {
-  if (file_kind(arguments.scene) == FileKind::SCENE) return scene_read(arguments.scene, arguments.all_overrides());
-  std::string report;
-  const SceneDesc bare = bare_scene(arguments.scene, loaded, report, film_size(arguments));
-  say(arguments, report);
-  const std::filesystem::path folder = arguments.scene.parent_path();
-  SceneDesc desc = scene_read_text(scene_write(bare, folder), folder / (arguments.scene.filename().string() + ".json"),
-                                   arguments.all_overrides());
-  desc.file = arguments.scene;
-  return desc;
 }
 
 std::string size_text(glm::ivec2 size) { return std::to_string(size.x) + " x " + std::to_string(size.y) + " pixels"; }
@@ -71,7 +52,8 @@ void attempt(std::string& failures, const std::filesystem::path& file, Write wri
 
 // cover: where the picture is one in part, what of it there is.
 void write_outputs(const RenderArguments& arguments, const SceneDesc& desc, const PlannedScene& flat, const Film& film,
-                   const SampleCover* cover, const Context& context, const RenderStats& stats, std::string& failures) {
+                   const SampleCover* cover, const Context& context, const RenderStats& stats,
+                   const PictureError& error, std::string& failures) {
   FilmWriteOptions options;
   options.cover = cover;
   options.exposure = desc.film.exposure;
@@ -81,7 +63,7 @@ void write_outputs(const RenderArguments& arguments, const SceneDesc& desc, cons
   const Film trimmed =
       arguments.trim ? film.cut({frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1}) : Film({0, 0});
   if (!arguments.trim) options.window = {frame.crop_x0, frame.crop_y0, frame.crop_x1, frame.crop_y1};
-  options.metadata = render_metadata(desc, flat, context.device(), stats);
+  options.metadata = render_metadata(desc, flat, context.device(), stats, error);
   if (cover) {
     options.window = cover->window(film.size().x);
     for (const auto& entry : part_metadata(desc, flat))
@@ -122,9 +104,10 @@ std::string resume_hint(const std::filesystem::path& file) {
   return file.empty() ? "" : "; the same command with --resume " + file.string() + " goes on";
 }
 
-// With progress, until Ctrl-C; where the device does not answer that, what is done is written from outside.
+// With progress, until Ctrl-C; where the device does not answer that, what is done is written from outside. Then, of a
+// picture that is complete, `measure`.
 bool render_film(const RenderArguments& arguments, Renderer& renderer, const WorkList& work, Film& film,
-                 const std::function<void()>& write) {
+                 const std::function<void()>& write, const std::function<void()>& measure) {
   if (work.empty()) return true;
   ProgressBar bar(arguments.quiet);
   const InterruptRescue rescue([&] {
@@ -139,9 +122,105 @@ bool render_film(const RenderArguments& arguments, Renderer& renderer, const Wor
     bar.show(share);
     return !interrupt_requested();
   });
+  if (complete) measure();
   interrupt_claim();
   if (renderer.stats().primary_rays == 0) throw Interrupted("interrupted before a pixel was done; nothing is written");
   return complete;
+}
+
+// For a bare volume: what reads it is loaded meanwhile.
+std::optional<DeviceInfo> choose_beside_volume(const RenderArguments& arguments) {
+  if (file_kind(arguments.scene) != FileKind::VOLUME) return std::nullopt;
+  volume_prepare(arguments.scene);
+  return device_choose(arguments.device);
+}
+
+// A scene as it is to be rendered, with what is to be told of it.
+struct Prepared {
+  SceneDesc desc;
+  PlannedScene flat;
+  std::vector<std::string> notes;
+  double pilot_s = 0;
+};
+
+Prepared prepare(const RenderArguments& arguments, const SceneDesc& asked, LoadedScene& loaded, Context& context,
+                 int lanes) {
+  Prepared made;
+  const std::string input = arguments.scene.string();
+  const auto told = [&](const std::string& text) { say(arguments, text); };
+  const Stopwatch pilot;
+  loaded.needed_again = asked.render.has_goal();
+  made.desc =
+      with_memory(input, [&] { return picture_for_goal(arguments, asked, loaded, context, lanes, made.notes, told); });
+  made.pilot_s = pilot.seconds();
+  if (!arguments.save_scene.empty())
+    atomic_write(arguments.save_scene, scene_write(made.desc, arguments.save_scene.parent_path()));
+  loaded.needed_again = false;  // one picture needs the files no longer
+  made.flat = with_memory(input, [&] {
+    return flatten(made.desc, loaded,
+                   {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha, arguments.witness != 0});
+  });
+  for (const std::string& note : made.flat.all_notes()) made.notes.push_back(note);
+  for (const std::string& note : made.notes) told("note: " + note);
+  return made;
+}
+
+// False where it was interrupted.
+bool error_measure(const RenderArguments& arguments, const Prepared& prepared, const Film& film, double render_s,
+                   PictureError& error) {
+  try {
+    if (arguments.samples.empty())
+      error = picture_error(prepared.flat, film, arguments.witness, render_s, prepared.desc.render);
+    return true;
+  } catch (const Interrupted&) {
+    return false;
+  }
+}
+
+int picture_make(const RenderArguments& arguments, const Prepared& prepared, Context& context, int lanes,
+                 RunTimes& times, const Stopwatch& total) {
+  const SceneDesc& desc = prepared.desc;
+  const PlannedScene& flat = prepared.flat;
+  std::vector<std::string> notes = prepared.notes;
+  FilmPart part =
+      with_memory("a film of " + size_text(desc.film.size), [&] { return part_begin(arguments.resume, desc, flat); });
+  Film& film = part.film;
+  const WorkList work = work_missing(flat.frame, samples_parse(arguments.samples, desc.film.spp), part.cover);
+  const std::filesystem::path part_file = part_output(arguments, desc.film.size);
+
+  Renderer renderer(context, flat, {lanes, arguments.generic, 0});
+  PictureError error;
+  const auto write = [&](bool complete) {
+    const std::size_t known = notes.size();
+    if (renderer.stats().dropped_rays > 0) notes.push_back(dropped_note(renderer.stats()));
+    if (renderer.stats().invalid_samples > 0) notes.push_back(invalid_note(renderer.stats()));
+    if (const std::string note = goal_missed_note(desc.render, error.witness); !note.empty()) notes.push_back(note);
+    for (std::size_t i = known; i < notes.size(); ++i) say(arguments, "note: " + notes[i]);
+    std::string failures;
+    std::optional<SampleCover> cover;
+    if (!part_file.empty() && (arguments.in_part() || !complete)) cover = cover_after(part.cover, work, film);
+    write_outputs(arguments, desc, flat, film, cover ? &*cover : nullptr, context, renderer.stats(), error, failures);
+    times.total_s = total.seconds();
+    if (!arguments.stats.empty())
+      attempt(failures, arguments.stats, [&] {
+        atomic_write(arguments.stats, render_stats_json(desc, flat, context.device(), renderer.stats(), error, times));
+      });
+    if (!failures.empty()) throw RuntimeError(failures);
+  };
+  const auto rescue = [&] {
+    write(false);
+    std::fprintf(stderr, "brume: %s\n",
+                 text_printable("what was done has been written" + resume_hint(part_file)).c_str());
+  };
+  bool unknown = false;  // an interruption left the error of a complete picture open
+  const bool complete = render_film(arguments, renderer, work, film, rescue, [&] {
+    unknown = !error_measure(arguments, prepared, film, renderer.stats().render_s, error);
+  });
+  write(complete);
+  say(arguments, render_summary(desc, flat, context.device(), renderer.stats(), error, times));
+  if (unknown) throw Interrupted("interrupted; the picture is complete and written, its error is not known");
+  if (!complete) throw Interrupted("interrupted; what was done has been written" + resume_hint(part_file));
+  return arguments.strict && !notes.empty() ? 1 : 0;
 }
 
 int render_run(RenderArguments arguments) {
@@ -152,60 +231,25 @@ int render_run(RenderArguments arguments) {
   const std::string input = arguments.scene.string();
   LoadedScene loaded;
   loaded.needed_again = false;  // one picture needs the files no longer
-  const SceneDesc desc = with_memory(input, [&] { return describe(arguments, loaded); });
-  check_part(arguments, desc.film.size);
-  if (!arguments.save_scene.empty())
-    atomic_write(arguments.save_scene, scene_write(desc, arguments.save_scene.parent_path()));
-
-  const DeviceInfo device = device_choose(arguments.device);
+  const std::optional<DeviceInfo> chosen = choose_beside_volume(arguments);
+  const SceneDesc asked = with_memory(
+      input, [&] { return scene_describe(arguments, loaded, [&](const std::string& text) { say(arguments, text); }); });
+  check_part(arguments, asked.film.size);
+  const DeviceInfo device = chosen ? *chosen : device_choose(arguments.device);
   const int lanes = lanes_choose(device, arguments.lanes);
-  const PlannedScene flat = with_memory(input, [&] {
-    return flatten(desc, loaded, {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha});
-  });
-  loaded = {};  // one picture needs the files no longer
-  std::vector<std::string> notes = flat.all_notes();
-  for (const std::string& note : notes) say(arguments, "note: " + note);
-  RunTimes times;
-  times.load_s = lap.lap();
-
-  FilmPart part =
-      with_memory("a film of " + size_text(desc.film.size), [&] { return part_begin(arguments.resume, desc, flat); });
-  Film& film = part.film;
-  const WorkList work = work_missing(flat.frame, samples_parse(arguments.samples, desc.film.spp), part.cover);
-  const std::filesystem::path part_file = part_output(arguments, desc.film.size);
-
   Context context(device);
-  Renderer renderer(context, flat, {lanes, arguments.generic, 0});
-  const auto write = [&](bool complete) {
-    const std::size_t told = notes.size();
-    if (renderer.stats().dropped_rays > 0) notes.push_back(dropped_note(renderer.stats()));
-    if (renderer.stats().invalid_samples > 0) notes.push_back(invalid_note(renderer.stats()));
-    for (std::size_t i = told; i < notes.size(); ++i) say(arguments, "note: " + notes[i]);
-    std::string failures;
-    std::optional<SampleCover> cover;
-    if (!part_file.empty() && (arguments.in_part() || !complete)) cover = cover_after(part.cover, work, film);
-    write_outputs(arguments, desc, flat, film, cover ? &*cover : nullptr, context, renderer.stats(), failures);
-    times.total_s = total.seconds();
-    if (!arguments.stats.empty())
-      attempt(failures, arguments.stats,
-              [&] { atomic_write(arguments.stats, render_stats_json(desc, flat, device, renderer.stats(), times)); });
-    if (!failures.empty()) throw RuntimeError(failures);
-  };
-  const bool complete = render_film(arguments, renderer, work, film, [&] {
-    write(false);
-    std::fprintf(stderr, "brume: %s\n",
-                 text_printable("what was done has been written" + resume_hint(part_file)).c_str());
-  });
-  write(complete);
-  say(arguments, render_summary(desc, flat, device, renderer.stats(), times));
-  if (!complete) throw Interrupted("interrupted; what was done has been written" + resume_hint(part_file));
-  return arguments.strict && !notes.empty() ? 1 : 0;
+  const Prepared prepared = prepare(arguments, asked, loaded, context, lanes);
+  loaded = {};
+  RunTimes times;
+  times.pilot_s = prepared.pilot_s;
+  times.load_s = lap.lap() - times.pilot_s;
+  return picture_make(arguments, prepared, context, lanes, times, total);
 }
 
 }  // namespace
 
 void command_render(CLI::App& app, Command& run) {
-  CLI::App* command = app.add_subcommand("render", "Render a scene, a volume (.vdb) or a mesh (.obj)");
+  CLI::App* command = app.add_subcommand("render", "Render a " + file_kinds_text());
   auto arguments = std::make_shared<RenderArguments>();
   arguments->add_options(*command);
   command->callback([arguments, &run] { run = [arguments] { return render_run(*arguments); }; });

@@ -6,6 +6,8 @@
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
+#include "cli/file_kind.hpp"
+#include "cli/picture_error.hpp"
 #include "film/film.hpp"
 #include "film/film_display.hpp"
 #include "scene/families.hpp"
@@ -32,35 +34,47 @@ std::string number(double value) { return number_text(value, 17); }  // as JSON 
 
 }  // namespace
 
-void RenderArguments::add_options(CLI::App& command) {
-  command.add_option("scene", scene, "Scene (.json), volume (.vdb) or mesh (.obj)")->required();
-  command.add_option("-o,--output", outputs,
-                     "Picture: .exr linear float with AOVs; .png, .jpg for display. Repeatable; default NAME.png");
+void RenderArguments::add_scene_options(CLI::App& command) {
+  command.add_option("scene", scene, "A " + file_kinds_text())->required();
   command.add_option("--size", size, "Film size WxH in pixels");
   command.add_option("--spp", spp, "Samples per pixel");
   command.add_option("--seed", seed, "Seed of the random numbers");
   command.add_option("--crop", crop, "Render only pixels X0,Y0 (inclusive) to X1,Y1 (exclusive)");
+  command.add_option("--exposure", exposure, "Stops for the display formats");
+  command.add_option("--device", device, "Index or part of the name of an OpenCL device (see brume devices)");
+  command.add_option("--lanes", lanes, "SIMD lanes inside a work-item; default by device")
+      ->check(CLI::IsMember({1, 4, 8, 16}));
+  command.add_flag("--generic", generic, "Kernels with every feature, not only those of the scene");
+  command.add_option("--set", overrides, "/json/pointer=VALUE: override a value of the scene. Repeatable");
+  command.add_flag("--quiet", quiet, "No progress, no notes");
+}
+
+void RenderArguments::add_options(CLI::App& command) {
+  add_scene_options(command);
+  command.add_option("-o,--output", outputs,
+                     "Picture: .exr linear float with AOVs; .png, .jpg for display. Repeatable; default NAME.png");
   command.add_option("--samples", samples, "Render only samples A-B (inclusive, from 0) of each pixel");
   command.add_option("--resume", resume, "Go on from a partial picture (.exr): render only what it lacks");
   command.add_flag("--partial", partial,
                    "Keep in .exr what brume merge and --resume need, as --crop, --samples and Ctrl-C do");
   command.add_flag("--trim", trim, "With --crop: those pixels are the whole picture");
   command.add_flag("--alpha", alpha, "Without the background, with a channel A (.exr: multiplied in; .png: not)");
-  command.add_option("--exposure", exposure, "Stops for the display formats");
   command.add_option("--aov", aov, "Comma-separated planes for .exr: " + family_names(aov_family()));
-  command.add_option("--device", device, "Index or part of the name of an OpenCL device (see brume devices)");
   command.add_option("--method", method, "Transmittance method: auto, " + family_names(method_family()));
   command.add_option("--step", step, "Marching step as a share of the medium's longest side");
   command.add_option("--shadow", shadow, "Light inside media: auto, " + family_names(shadow_family()));
-  command.add_option("--max-error", max_error, "Accuracy to reach (not available yet)");
-  command.add_option("--lanes", lanes, "SIMD lanes inside a work-item; default by device")
-      ->check(CLI::IsMember({1, 4, 8, 16}));
-  command.add_flag("--generic", generic, "Kernels with every feature, not only those of the scene");
-  command.add_option("--set", overrides, "/json/pointer=VALUE: override a value of the scene. Repeatable");
+  command
+      .add_option("--witness", witness,
+                  "Pixels that are rendered in double precision to say how far off the picture is; 0: none. Default: " +
+                      std::to_string(WITNESS_PIXELS) + ", as far as they take a twentieth of the render's time")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--max-error", max_error,
+                     "Choose method, step and light grid that reach this error soonest; --method restricts the choice");
+  command.add_option("--error-metric", error_metric, "Which error: " + family_names(error_metric_family()));
+  command.add_option("--time-budget", time_budget, "Choose what comes closest in so many seconds of rendering");
   command.add_option("--save-scene", save_scene, "Write the scene that was rendered, to go on from");
   command.add_option("--stats", stats, "Write times, counts and memory as JSON");
   command.add_flag("--strict", strict, "Exit 1, after writing, if anything had to be noted");
-  command.add_flag("--quiet", quiet, "No progress, no notes");
 }
 
 void RenderArguments::complete() {
@@ -78,6 +92,8 @@ std::vector<std::string> RenderArguments::all_overrides() const {
   if (seed) all.push_back("/render/seed=" + std::to_string(*seed));
   if (step) all.push_back("/render/step=" + number(*step));
   if (max_error) all.push_back("/render/max_error=" + number(*max_error));
+  if (time_budget) all.push_back("/render/time_budget=" + number(*time_budget));
+  if (!error_metric.empty()) all.push_back("/render/error_metric=\"" + error_metric + "\"");
   if (!method.empty()) all.push_back("/render/method=\"" + method + "\"");
   if (!shadow.empty()) all.push_back("/render/shadow=\"" + shadow + "\"");
   return all;

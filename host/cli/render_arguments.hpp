@@ -20,9 +20,9 @@ std::vector<Aov> aovs_parse(const std::string& text);
 struct RenderArguments {
   std::filesystem::path scene;
   std::vector<std::filesystem::path> outputs;
-  std::string size, crop, samples, method, shadow, device, aov;
-  std::optional<double> exposure, step, max_error;
-  std::optional<int> spp, seed;
+  std::string size, crop, samples, method, shadow, device, aov, error_metric;
+  std::optional<double> exposure, step, max_error, time_budget;
+  std::optional<int> spp, seed, witness;
   int lanes = 0;  // 0: the device's choice
   bool generic = false, quiet = false, strict = false;
   bool trim = false, alpha = false, partial = false;
@@ -30,6 +30,8 @@ struct RenderArguments {
   std::filesystem::path stats, save_scene, resume;
 
   void add_options(CLI::App& command);
+  // Those of them that say what is rendered and on what, not how and into which files: for other commands too.
+  void add_scene_options(CLI::App& command);
   // Without -o the picture is NAME.png in the current folder.
   void complete();
 

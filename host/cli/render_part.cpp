@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
-#include "flat/scene_hash.hpp"
+#include "plan/scene_hash.hpp"
 #include "version.hpp"
 
 namespace brume {
@@ -65,7 +65,11 @@ FilmPart part_begin(const std::filesystem::path& resume, const SceneDesc& desc, 
     return {"", {}, Film(desc.film.size), SampleCover(pixels), desc.film.spp};
   }
   FilmPart part = film_part_read(resume);
-  film_parts_match(desc.file.string(), part_metadata(desc, flat), part);
+  SceneDesc begun = desc;
+  // Samples do not depend on how many there are to be, but for a single one, which is the pixel's centre.
+  if (part.spp > 1 && part.spp < desc.film.spp) begun.film.spp = part.spp;
+  film_parts_match(desc.file.string(), part_metadata(begun, flat), part);
+  part.spp = desc.film.spp;
   return part;
 }
 

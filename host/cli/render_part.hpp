@@ -5,8 +5,8 @@
 #include <string>
 
 #include "film/film_partial.hpp"
-#include "flat/render_plan.hpp"
 #include "image/image.hpp"
+#include "plan/render_plan.hpp"
 #include "render/work.hpp"
 #include "scene/scene_desc.hpp"
 
@@ -24,7 +24,8 @@ SampleCover cover_after(const SampleCover& held, const WorkList& work, const Fil
 // The part_keys() of a picture, and what a joined one needs: exposure, alpha.
 ImageMetadata part_metadata(const SceneDesc& desc, const PlannedScene& flat);
 
-// The file of --resume, or nothing yet. InputError where it is part of another picture.
+// The file of --resume, or nothing yet; it may have been begun with fewer samples per pixel. InputError where it is
+// part of another picture.
 FilmPart part_begin(const std::filesystem::path& resume, const SceneDesc& desc, const PlannedScene& flat);
 
 }  // namespace brume

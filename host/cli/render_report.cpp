@@ -1,4 +1,4 @@
-// See render_report.hpp. The JSON keys are those of the design and stay as they are.
+// See render_report.hpp. Programs read the JSON keys: they stay as they are.
 #include "cli/render_report.hpp"
 
 #include <algorithm>
@@ -40,7 +40,7 @@ nlohmann::ordered_json media_json(const PlannedScene& flat) {
 }  // namespace
 
 std::string render_stats_json(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,
-                              const RenderStats& stats, const RunTimes& times) {
+                              const RenderStats& stats, const PictureError& error, const RunTimes& times) {
   nlohmann::ordered_json passes = nlohmann::ordered_json::array();
   for (const PassStats& pass : stats.passes)
     passes.push_back({{"name", pass.name}, {"s", pass.seconds}, {"items", pass.items}});
@@ -56,6 +56,7 @@ std::string render_stats_json(const SceneDesc& desc, const PlannedScene& flat, c
       {"spp", desc.film.spp},
       {"kernel_build_s", stats.kernel_build_s},
       {"load_s", times.load_s},
+      {"pilot_s", times.pilot_s},
       {"upload_s", stats.upload_s},
       {"render_s", stats.render_s},
       {"total_s", times.total_s},
@@ -70,15 +71,18 @@ std::string render_stats_json(const SceneDesc& desc, const PlannedScene& flat, c
       {"passes", passes},
       {"memory",
        {{"device_bytes", stats.device_bytes}, {"voxel_bytes", stats.voxel_bytes}, {"bvh_bytes", stats.bvh_bytes}}},
-      {"error", {{"estimate", nullptr}, {"target", nullptr}}}};
+      {"error", picture_error_json(error, desc.render)}};
   return json_line(json, 2) + "\n";
 }
 
 ImageMetadata render_metadata(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,
-                              const RenderStats& stats) {
-  return {{"scene", desc.file.string()}, {"method", method_names(flat)},         {"device", device.title()},
-          {"driver", device.driver},     {"lanes", std::to_string(stats.lanes)}, {"spp", std::to_string(desc.film.spp)},
-          {"version", VERSION}};
+                              const RenderStats& stats, const PictureError& error) {
+  ImageMetadata all = {
+      {"scene", desc.file.string()}, {"method", method_names(flat)},         {"device", device.title()},
+      {"driver", device.driver},     {"lanes", std::to_string(stats.lanes)}, {"spp", std::to_string(desc.film.spp)},
+      {"version", VERSION}};
+  if (const std::string text = picture_error_text(error); !text.empty()) all.push_back({"error", text});
+  return all;
 }
 
 std::string dropped_note(const RenderStats& stats) {
@@ -100,14 +104,15 @@ std::string invalid_note(const RenderStats& stats) {
 }
 
 std::string render_summary(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,
-                           const RenderStats& stats, const RunTimes& times) {
+                           const RenderStats& stats, const PictureError& error, const RunTimes& times) {
   char film[64], rest[512];
   std::snprintf(film, sizeof film, "%dx%d, %d spp, method ", desc.film.size.x, desc.film.size.y, desc.film.spp);
   std::snprintf(rest, sizeof rest,
                 ", %d lanes on %s: load %.2f s, kernels %.2f s, upload %.2f s, render %.2f s, total %.2f s",
                 stats.lanes, device.name.c_str(), times.load_s, stats.kernel_build_s, stats.upload_s, stats.render_s,
                 times.total_s);
-  return film + method_names(flat) + rest;
+  const std::string known = picture_error_text(error);
+  return film + method_names(flat) + rest + (known.empty() ? "" : "; " + known);
 }
 
 }  // namespace brume

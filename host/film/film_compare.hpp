@@ -1,4 +1,4 @@
-// How far two images are apart: the numbers of design §4, the difference as a picture, means over blocks. No command
+// How far two images are apart: relative error and its like, the difference as a picture, means over blocks. No command
 // line.
 #pragma once
 #include <cstddef>

@@ -149,24 +149,11 @@ SceneDesc scene_of_mesh(const std::filesystem::path& file, ivec2 film, LoadedSce
   return desc;
 }
 
-struct BareRow {
-  const char* extension;
-  SceneDesc (*make)(const std::filesystem::path&, ivec2 film, LoadedScene&, std::string&);
-};
-constexpr BareRow BARE_FILES[] = {{".vdb", scene_of_volume}, {".obj", scene_of_mesh}};
-
-const BareRow* bare_row(const std::filesystem::path& file) {
-  for (const BareRow& row : BARE_FILES)
-    if (file_ending(file) == row.extension) return &row;
-  return nullptr;
-}
-
 }  // namespace
 
-bool bare_scene_takes(const std::filesystem::path& file) { return bare_row(file) != nullptr; }
-
 SceneDesc bare_scene(const std::filesystem::path& file, LoadedScene& loaded, std::string& report, ivec2 film) {
-  return bare_row(file)->make(file, film, loaded, report);
+  const auto make = file_ending(file) == ".obj" ? scene_of_mesh : scene_of_volume;
+  return make(file, film, loaded, report);
 }
 
 }  // namespace brume

@@ -8,11 +8,9 @@
 
 namespace brume {
 
-// True for the files that bare_scene takes: .vdb and .obj.
-bool bare_scene_takes(const std::filesystem::path& file);
-
-// `report` receives one line saying what was chosen (σt, the densest view, ...). The camera frames it in a film of that
-// shape. What it reads is in `loaded`, under the names of the description.
+// Of an .obj file, or of a volume; InputError for what is neither. `report` receives one line saying what was chosen
+// (σt, the densest view, ...). The camera frames it in a film of that shape. What it reads is in `loaded`, under the
+// names of the description.
 SceneDesc bare_scene(const std::filesystem::path& file, LoadedScene& loaded, std::string& report, ivec2 film = {1, 1});
 
 }  // namespace brume

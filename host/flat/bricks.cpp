@@ -283,10 +283,13 @@ void bricks_append(Grid&& grid, Medium& medium, FlatScene& scene) {
   grid.release_below(grid.groups().z * GRID_GROUP);
 }
 
-std::int32_t brick_entry(const FlatScene& scene, const Medium& medium, glm::ivec3 b) {
+std::int32_t brick_block_entries(const FlatScene& scene, const Medium& medium, glm::ivec3 block) {
   const ivec3 blocks = (ivec3(medium.brick_nx, medium.brick_ny, medium.brick_nz) - 1) / BRICK_BLOCK + 1;
-  const std::int32_t begin =
-      scene.bricks.at(static_cast<std::size_t>(medium.brick_offset) + index_of(b / BRICK_BLOCK, blocks.x, blocks.y));
+  return scene.bricks.at(static_cast<std::size_t>(medium.brick_offset) + index_of(block, blocks.x, blocks.y));
+}
+
+std::int32_t brick_entry(const FlatScene& scene, const Medium& medium, glm::ivec3 b) {
+  const std::int32_t begin = brick_block_entries(scene, medium, b / BRICK_BLOCK);
   return scene.bricks.at(static_cast<std::size_t>(begin) + index_of(b % BRICK_BLOCK, BRICK_BLOCK, BRICK_BLOCK));
 }
 

@@ -8,13 +8,16 @@
 namespace brume {
 
 // Appends the bricks of a grid: index, ranges and samples; fills in the medium's geometry. Throws InputError where the
-// scene would hold more than 32-bit offsets reach. The second form gives the grid's memory back as it goes: afterwards it
-// reads as 0.
+// scene would hold more of them than 32-bit offsets can count. The second form gives the grid's memory back as it goes:
+// afterwards it reads as 0.
 void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene);
 void bricks_append(Grid&& grid, Medium& medium, FlatScene& scene);
 
-// Of what bricks_append filled in, what a grid is, wherever it stands.
+// What bricks_append says of the grid itself, without where it stands.
 BrickGrid brick_grid_of(const Medium& medium);
+
+// Where the entries of a block of bricks begin; blocks that are alike share them. 0 <= block < blocks.
+std::int32_t brick_block_entries(const FlatScene& scene, const Medium& medium, glm::ivec3 block);
 
 // Number of the samples of brick b of the medium's grid, or BRICK_EMPTY. 0 <= b < brick_n.
 std::int32_t brick_entry(const FlatScene& scene, const Medium& medium, glm::ivec3 b);

@@ -1,6 +1,6 @@
-// Every voxel is thrown onto a picture of some voxels' size a pixel; where most has come together, rays are integrated
-// exactly, and the best one is followed uphill. What a picture of columns blurs, the rays put right; what it does not
-// see is no wider than a voxel, and for those the densest voxel of a pixel is a candidate too.
+// Every voxel is added to a coarse picture, whose pixels are a few voxels wide. Where its sums are largest, rays are
+// integrated exactly, and the best of them is moved as long as that makes it denser. What is blurred in the picture is
+// exact along the rays. What is lost in it is no wider than a voxel: so the densest voxel of a pixel is tried as well.
 #include "flat/densest_view.hpp"
 
 #include <algorithm>

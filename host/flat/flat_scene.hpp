@@ -16,6 +16,8 @@
 
 namespace brume {
 
+inline constexpr double FAR_AWAY = 16;  // flat units from the scene's centre, from which on eyes and lights are far
+
 // What plans need to know of a medium.
 struct MediumSize {
   std::string place;   // in the scene file, a JSON pointer

@@ -34,7 +34,8 @@ dvec3 origin_choose(const Bounds& bounds) {
 }  // namespace
 
 FlatScene scene_flatten(const SceneDesc& desc, LoadedScene& loaded, int bvh_width) {
-  media_check(desc);  // before large files are read for nothing
+  std::vector<std::string> for_the_plan;
+  media_check(desc, media_rows(desc), for_the_plan);  // before large files are read for nothing
   FlatScene scene;
   scene.name = desc.file.filename().string();
   scene.bvh_width = bvh_width;
@@ -54,23 +55,6 @@ FlatScene scene_flatten(const SceneDesc& desc, LoadedScene& loaded, int bvh_widt
   flatten_shapes(shapes, scene);
   flatten_media(media, loaded.needed_again, scene);
   return scene;
-}
-
-PlannedScene flatten(const SceneDesc& desc, LoadedScene& loaded, const FlattenOptions& options) {
-  PlannedScene scene;
-  static_cast<FlatScene&>(scene) = scene_flatten(desc, loaded, options.bvh_width);
-  static_cast<RenderPlan&>(scene) = plan_render(desc, scene, {options.crop, options.hide_background});
-  if (scene.storage == STORAGE_F32 || scene.voxels.empty()) return scene;
-  const auto stored = std::make_shared<StoredVoxels>(voxels_store(scene, scene.storage, scene.voxels));
-  scene.brick_ranges = stored->ranges;
-  scene.stored = stored;
-  return scene;
-}
-
-PlannedScene flatten(const SceneDesc& desc, const FlattenOptions& options) {
-  LoadedScene loaded;
-  loaded.needed_again = false;
-  return flatten(desc, loaded, options);
 }
 
 }  // namespace brume

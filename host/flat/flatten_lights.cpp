@@ -6,14 +6,13 @@
 #include <glm/trigonometric.hpp>
 #include <numeric>
 
-#include "base/error.hpp"
 #include "flat/flatten_parts.hpp"
 
 namespace brume {
 
 namespace {
 
-// A light beyond FAR_AWAY gets a length of its own, so that its distance is some FAR_AWAY of them.
+// A light beyond FAR_AWAY gets a unit of length of its own, in which it is no more than FAR_AWAY away.
 void light_place(const LightDesc& desc, const FlatScene& scene, Light& light) {
   const dvec3 position = scene.point(desc.position), size = glm::abs(position);
   light.exponent =
@@ -87,16 +86,6 @@ void shares_fill(FlatScene& scene) {
 void flatten_lights(const SceneDesc& desc, FlatScene& scene) {
   for (const LightDesc& l : desc.lights) scene.lights.push_back(light_flatten(l, scene));
   shares_fill(scene);
-}
-
-int plan_light_picks(const SceneDesc& desc, const FlatScene& scene) {
-  const int lights = static_cast<int>(scene.lights.size()), wanted = desc.render.light_samples;
-  const int picks = wanted == LIGHT_SAMPLES_AUTO ? (lights <= LIGHTS_ENUMERATED ? lights : LIGHT_PICKS)
-                                                 : (wanted == 0 ? lights : std::min(wanted, lights));
-  if (picks > LIGHT_PICKS_MAX)
-    throw InputError(desc.file.string() + ": /render/light_samples: 0 asks all " + std::to_string(lights) +
-                     " lights at every point; at most " + std::to_string(LIGHT_PICKS_MAX) + " are allowed");
-  return picks;
 }
 
 }  // namespace brume

@@ -1,7 +1,7 @@
 // Materials of the scene and of meshes, and their textures.
 #include <algorithm>
-#include <cstring>
 #include <map>
+#include <tuple>
 
 #include "base/error.hpp"
 #include "flat/flatten_parts.hpp"
@@ -9,6 +9,12 @@
 namespace brume {
 
 namespace {
+
+// All that makes an image another one.
+auto image_key(const Texture& t) {
+  return std::tuple(t.type, t.offset, t.width, t.height, t.clamp, t.base, t.gain, t.uv_scale[0], t.uv_scale[1],
+                    t.uv_offset[0], t.uv_offset[1]);
+}
 
 // Holds the texels of every image once, however many materials name it.
 class TextureTable {
@@ -40,7 +46,7 @@ class TextureTable {
     t.base = static_cast<float>(desc.base);
     t.gain = static_cast<float>(desc.gain);
     t.clamp = desc.clamp;
-    const auto same = [&](const Texture& other) { return std::memcmp(&other, &t, sizeof t) == 0; };
+    const auto same = [&](const Texture& other) { return image_key(other) == image_key(t); };
     const auto known = std::find_if(scene_.textures.begin(), scene_.textures.end(), same);
     return known != scene_.textures.end() ? static_cast<int>(known - scene_.textures.begin()) : append(t);
   }

@@ -1,5 +1,5 @@
-// The parts of flatten(), in the order in which it calls them. Loading comes first because the origin depends on all of
-// it.
+// The parts of scene_flatten(), in the order in which it calls them. Loading comes first because the origin depends on
+// all of it.
 #pragma once
 #include <memory>
 #include <string>
@@ -7,7 +7,8 @@
 
 #include "flat/bounds.hpp"
 #include "flat/bricks.hpp"
-#include "flat/render_plan.hpp"
+#include "flat/flat_scene.hpp"
+#include "flat/media_methods.hpp"
 #include "flat/transform.hpp"
 #include "load/loaded_scene.hpp"
 #include "mesh/mesh.hpp"
@@ -15,22 +16,6 @@
 #include "volume/grid.hpp"
 
 namespace brume {
-
-// A medium of the flat scene: those of the scene file, and the glows among them that have a density of their own.
-struct MediumRow {
-  std::shared_ptr<const MediumDesc> desc;
-  bool only_glows;
-};
-std::vector<MediumRow> media_rows(const SceneDesc& desc);
-
-// The method of a medium: a method of its own has to fit it; where that of the picture does not, it is the exact one.
-// Never auto. Throws InputError.
-int method_resolve(const SceneDesc& desc, const MediumDesc& medium);
-// One line about the media that take another method than the picture asks for; InputError where all do that have none
-// of their own.
-void methods_tell(const SceneDesc& desc, const std::vector<MediumRow>& media, std::vector<std::string>& notes);
-// Throws InputError where methods or light grids fit no medium.
-void media_check(const SceneDesc& desc);
 
 // A medium with its grid in memory. Constant media have a grid only where a voxel method asks for one.
 struct LoadedMedium {
@@ -60,20 +45,11 @@ void note_once(std::vector<std::string>& notes, const std::string& note);
 
 LoadedShapes load_shapes(const SceneDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes);
 
-inline constexpr double FAR_AWAY = 16;  // flat units from the scene's centre, from which on eyes and lights are far
 void flatten_lights(const SceneDesc& desc, FlatScene& scene);
-// How many lights a point asks: render.light_samples, see shared/light.h. Throws InputError where they are too many.
-int plan_light_picks(const SceneDesc& desc, const FlatScene& scene);
 void flatten_materials(const SceneDesc& desc, LoadedScene& loaded, LoadedShapes& shapes, FlatScene& scene);
 void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene);
 // needed_again: LoadedScene's; where nobody needs them again, grids give their memory back on the way.
 void flatten_media(const std::vector<LoadedMedium>& media, bool needed_again, FlatScene& scene);
-
-// Camera, film and what "render" says of rays.
-void plan_camera(const SceneDesc& desc, const FlatScene& scene, Frame& frame);
-
-// Throws InputError where the steps of marched media ask for more lookups than can be meant.
-void work_check(const SceneDesc& desc, const FlatScene& scene, const RenderPlan& plan);
 
 // Largest density of the medium, whose bricks are the last of the scene: those of the voxels from first_voxel on.
 float density_max(const Medium& medium, std::size_t first_voxel, const FlatScene& scene);
@@ -82,10 +58,5 @@ float density_max(const Medium& medium, std::size_t first_voxel, const FlatScene
 double densities_scale(Medium& medium, std::size_t first_voxel, FlatScene& scene);
 // Coefficients times `per`: flat units of length, units of density.
 void coefficients_flatten(const MediumDesc& desc, double per, MediumBody& medium);
-
-// The light grids of a medium to which they pay, one per light (shared/light_grid.h): the number of the first, -1 for
-// none. Needs the medium's geometry and coefficients, and the lights.
-// Throws InputError where they have more entries than kernels count.
-int light_grids_append(const SceneDesc& desc, const Medium& medium, const FlatScene& scene, RenderPlan& plan);
 
 }  // namespace brume

@@ -1,8 +1,9 @@
-// Which method each medium takes, and which wishes are refused.
+// See media_methods.hpp.
+#include "flat/media_methods.hpp"
+
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "flat/flatten_parts.hpp"
 #include "scene/families.hpp"
 
 namespace brume {
@@ -41,13 +42,13 @@ std::string method_name(int method) { return std::string(family_name(method_fami
 
 // A grid of depths to the lights is for what scatters, and not for methods whose collisions differ from run to run of a
 // light ray: frozen into it their noise would be an error that no number of samples mends.
-void light_grids_check(const SceneDesc& desc) {
+void light_grids_check(const SceneDesc& desc, const std::vector<MediumRow>& media) {
   const auto scatters = [](const MediumDesc& m) { return m.sigma_s != dvec3(0); };
   if (desc.render.shadow != SHADOW_GRID) return;
   if (!desc.media.empty() && std::none_of(desc.media.begin(), desc.media.end(), scatters))
     throw InputError(desc.file.string() + ": /render/shadow: 'grid' does not fit " + desc.media.front().place +
                      ", nor any other medium: sigma_s is 0, no light is scattered; allowed: trace, auto");
-  for (const MediumRow& m : media_rows(desc)) {
+  for (const MediumRow& m : media) {
     const int method = method_resolve(desc, *m.desc);
     if (method_draws(method) == DRAWS_COLLISIONS)
       throw InputError(desc.file.string() + ": /render/shadow: 'grid' does not fit the method '" + method_name(method) +
@@ -55,16 +56,8 @@ void light_grids_check(const SceneDesc& desc) {
   }
 }
 
-}  // namespace
-
-int method_resolve(const SceneDesc& desc, const MediumDesc& m) {
-  const int wanted = m.method.value_or(desc.render.method);
-  if (wanted == METHOD_AUTO) return method_exact(m);
-  if (method_fits(wanted) & medium_fits(m)) return wanted;
-  if (m.method) refuse_method(desc, m.place, wanted, m);
-  return method_exact(m);
-}
-
+// One line about the media that take another method than the picture asks for; refused where all do that have none of
+// their own.
 void methods_tell(const SceneDesc& desc, const std::vector<MediumRow>& media, std::vector<std::string>& notes) {
   if (desc.render.method == METHOD_AUTO) return;
   std::string others;
@@ -83,10 +76,19 @@ void methods_tell(const SceneDesc& desc, const std::vector<MediumRow>& media, st
   notes.push_back("/render/method: '" + method_name(desc.render.method) + "' does not fit all media: " + others);
 }
 
-void media_check(const SceneDesc& desc) {
-  std::vector<std::string> told;
-  methods_tell(desc, media_rows(desc), told);
-  light_grids_check(desc);
+}  // namespace
+
+int method_resolve(const SceneDesc& desc, const MediumDesc& m) {
+  const int wanted = m.method.value_or(desc.render.method);
+  if (wanted == METHOD_AUTO) return method_exact(m);
+  if (method_fits(wanted) & medium_fits(m)) return wanted;
+  if (m.method) refuse_method(desc, m.place, wanted, m);
+  return method_exact(m);
+}
+
+void media_check(const SceneDesc& desc, const std::vector<MediumRow>& media, std::vector<std::string>& notes) {
+  methods_tell(desc, media, notes);
+  light_grids_check(desc, media);
 }
 
 std::vector<MediumRow> media_rows(const SceneDesc& desc) {

@@ -20,7 +20,7 @@ dvec3 transform_dir(const dmat4& m, const dvec3& d);
 Packed3 packed(const dvec3& v);
 Affine affine(const dmat4& m);  // the upper three rows
 
-// From X to flat, of a map from X to the world.
+// The map from X to flat units, made of the map from X to the world.
 dmat4 flat_from(const FlatScene& scene, dmat4 world_from_x);
 
 // A unit vector perpendicular to the unit vector n: the projection of x, or of z where n is nearly x.

@@ -80,7 +80,7 @@ void image_write_display(const std::filesystem::path& file, int width, int heigh
                          bool alpha = false);
 
 // To be called BEFORE a long rendering: throws what writing to that path would throw for its extension, folder or
-// target, and has the image library loaded meanwhile.
+// target, and has the image library loaded meanwhile where it is needed.
 void image_check_writable(const std::filesystem::path& file);
 
 }  // namespace brume

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "base/file_read.hpp"
+#include "image/image_png.hpp"
 
 namespace brume {
 
@@ -18,7 +19,7 @@ constexpr std::size_t IMAGE_FILE_BYTES_MAX = std::size_t(2) << 30;
 const std::vector<ImageFormat>& image_formats() {
   static const std::vector<ImageFormat> formats = {
       {"exr", "openexr", {".exr"}, {"\x76\x2f\x31\x01"sv}, ImageOutput::LINEAR, true},
-      {"png", "png", {".png"}, {"\x89PNG\r\n\x1a\n"sv}, ImageOutput::DISPLAY, true},
+      {"png", "png", {".png"}, {"\x89PNG\r\n\x1a\n"sv}, ImageOutput::DISPLAY, true, png_encode},
       {"jpg", "jpeg", {".jpg", ".jpeg"}, {"\xff\xd8\xff"sv}, ImageOutput::DISPLAY, false},
       {"hdr", "hdr", {".hdr"}, {"#?RADIANCE"sv, "#?RGBE"sv}, ImageOutput::NONE, true},
       {"tif", "tiff", {".tif", ".tiff"}, {"II*\0"sv, "MM\0*"sv, "II+\0"sv, "MM\0+"sv}, ImageOutput::NONE, true},

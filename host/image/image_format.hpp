@@ -1,5 +1,6 @@
 // The table of image formats: how each is recognised and what is written to it.
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -16,6 +17,8 @@ struct ImageFormat {
   std::vector<std::string_view> magics;      // what a file of this format begins with
   ImageOutput output;
   bool alpha;  // it can hold one
+  // Bytes of the file from 8-bit display values; null: asked of brume-image.
+  std::string (*encode)(int width, int height, int channels, const std::vector<std::uint8_t>& codes) = nullptr;
 };
 const std::vector<ImageFormat>& image_formats();
 

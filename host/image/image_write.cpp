@@ -1,6 +1,7 @@
-// Images out: EXR with layers, PNG and JPEG. They are encoded in memory by brume-image and written here.
+// Images out: EXR with layers, PNG and JPEG. They are encoded in memory, but for PNG by brume-image, and written here.
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
@@ -38,6 +39,17 @@ void write(const fs::path& file, const ImageFormat& format, const ImageRequest& 
   texts.insert(texts.end(), channels.begin(), channels.end());
   for (const auto& [key, value] : attributes) texts.insert(texts.end(), {key, value});
   atomic_write(file, encode(file, request, texts, values));
+}
+
+void write_own(const fs::path& file, const ImageFormat& format, int width, int height, int channels,
+               const std::vector<std::uint8_t>& codes) {
+  std::string bytes;
+  try {
+    bytes = format.encode(width, height, channels, codes);
+  } catch (const std::runtime_error& error) {
+    throw RuntimeError(file.string() + ": cannot be written: " + error.what());
+  }
+  atomic_write(file, bytes);
 }
 
 void check_output(const fs::path& file, const ImageFormat& format, ImageOutput wanted) {
@@ -79,13 +91,11 @@ void image_write_exr(const fs::path& file, int width, int height, const std::vec
 void image_write_display(const fs::path& file, int width, int height, const std::vector<float>& values, bool alpha) {
   const ImageFormat& format = image_format_of_output(file);
   check_output(file, format, ImageOutput::DISPLAY);
-  // PNG reads the last one only, JPEG the others.
-  const ImageMetadata attributes{
-      {"Compression", "jpeg:95"}, {"jpeg:subsampling", "4:4:4"}, {"oiio:UnassociatedAlpha", "1"}};
   std::vector<std::uint8_t> codes(values.size());
   for (std::size_t i = 0; i < values.size(); ++i) codes[i] = quantise(values[i]);
-  std::vector<std::string> names{"R", "G", "B"};
-  if (alpha) names.push_back("A");
+  if (format.encode) return write_own(file, format, width, height, alpha ? 4 : 3, codes);
+  const ImageMetadata attributes{{"Compression", "jpeg:95"}, {"jpeg:subsampling", "4:4:4"}};
+  const std::vector<std::string> names{"R", "G", "B"};
   write(file, format,
         {0, ImageAction::WRITE, width, height, static_cast<int>(names.size()), Samples::UINT8, 0, codes.size(), 0, 0,
          width, height},
@@ -93,9 +103,9 @@ void image_write_display(const fs::path& file, int width, int height, const std:
 }
 
 void image_check_writable(const fs::path& file) {
-  image_format_of_output(file);
+  const ImageFormat& format = image_format_of_output(file);
   AtomicFile probe(file);
-  ImageProgram::writer().start();
+  if (!format.encode) ImageProgram::writer().start();
 }
 
 }  // namespace brume

@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "flat/render_plan.hpp"
+#include "plan/render_plan.hpp"
 #include "reference/vec.hpp"
 
 namespace brume::reference {

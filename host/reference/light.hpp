@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-#include "flat/render_plan.hpp"
+#include "plan/render_plan.hpp"
 #include "reference/random.hpp"
 #include "reference/vec.hpp"
 #include "shared/light.h"

@@ -1,4 +1,4 @@
-// Segments by collecting and sorting every crossing of a cell border, and density lookups in bricks. [design §4, §5]
+// Segments by collecting and sorting every crossing of a cell border, and density lookups in bricks.
 #include "reference/medium.hpp"
 
 #include <algorithm>

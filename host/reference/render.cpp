@@ -1,4 +1,4 @@
-// Pixels, surfaces under lights, keys and film sums: see the header and ARCHITECTURE.md.
+// Pixels, surfaces under lights, keys and film sums: see the header and PICTURE.md.
 #include "reference/render.hpp"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // The scalar double-precision renderer that the kernels are compared with: plain, one sample after another, written
-// from ARCHITECTURE.md alone. No speed to speak of; no BVH, no early stop, no float arithmetic.
+// from PICTURE.md alone. No speed to speak of; no BVH, no early stop, no float arithmetic.
 #pragma once
 #include <functional>
 
 #include "film/film.hpp"
-#include "flat/render_plan.hpp"
+#include "plan/render_plan.hpp"
 #include "reference/scatter.hpp"
 
 namespace brume::reference {

@@ -1,4 +1,4 @@
-// Random numbers, positions within a pixel and camera rays: see the header and ARCHITECTURE.md.
+// Random numbers, positions within a pixel and camera rays: see the header and PICTURE.md.
 #include "reference/sampling.hpp"
 
 #include <algorithm>

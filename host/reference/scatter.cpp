@@ -1,4 +1,4 @@
-// Depths of media and light at a point: see the header and ARCHITECTURE.md. What media scatter is in
+// Depths of media and light at a point: see the header and PICTURE.md. What media scatter is in
 // scatter_segments.cpp, the exact integral in scatter_exact.cpp.
 #include "reference/scatter.hpp"
 

@@ -11,7 +11,7 @@
 namespace brume::reference {
 
 struct Options {
-  // 0: the segment rule of ARCHITECTURE.md with the method of each medium. n > 0: the exact picture: n-point
+  // 0: the segment rule of PICTURE.md with the method of each medium. n > 0: the exact picture: n-point
   // Gauss-Legendre of σs ρ(t) T(t) S(t) between all cell borders, with the exact method of every medium whatever it
   // says.
   int scatter_order = 0;

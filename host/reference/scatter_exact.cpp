@@ -24,6 +24,43 @@ struct Piece {
   }
 };
 
+// Which lights shine on a point, whatever the media leave of them.
+std::vector<bool> lit_at(const Context& context, const dvec3& point) {
+  std::vector<bool> lit;
+  for (const Light& light : context.scene.lights) {
+    const LightSample sample = light_at(light, point);
+    lit.push_back(sample.shines() &&
+                  !occluded(context.scene, context.bounds, {point, -sample.travel}, sample.distance));
+  }
+  return lit;
+}
+
+constexpr int LIT_SAMPLES = 256;  // along a ray; a shadow that lies between two of them is not seen
+constexpr int LIT_HALVINGS = 32;
+
+// Adds where along [t0, t1] a light begins or ends to shine: edges of shadows and cones, over which no quadrature goes.
+void lit_borders(const Context& context, const RayD& ray, double t0, double t1, std::vector<double>& borders) {
+  const bool cones = std::any_of(context.scene.lights.begin(), context.scene.lights.end(),
+                                 [](const Light& light) { return light.type == LIGHT_SPOT; });
+  if (context.scene.shapes.empty() && context.scene.triangles.empty() && !cones) return;
+  double before = t0;
+  std::vector<bool> lit = lit_at(context, ray.at(t0));
+  for (int i = 1; i <= LIT_SAMPLES; ++i) {
+    const double after = t0 + (t1 - t0) * i / LIT_SAMPLES;
+    std::vector<bool> next = lit_at(context, ray.at(after));
+    if (next != lit) {
+      double lo = before, hi = after;
+      for (int halving = 0; halving < LIT_HALVINGS; ++halving) {
+        const double middle = 0.5 * (lo + hi);
+        (lit_at(context, ray.at(middle)) == lit ? lo : hi) = middle;
+      }
+      borders.push_back(hi);
+    }
+    lit = std::move(next);
+    before = after;
+  }
+}
+
 std::vector<double> borders_of_all(const Context& context, const RayD& ray, double t_max) {
   std::vector<double> borders;
   for (int i = 0; i < static_cast<int>(context.media.size()); ++i) {
@@ -33,6 +70,10 @@ std::vector<double> borders_of_all(const Context& context, const RayD& ray, doub
       borders.push_back(segment.t_end);
     }
   }
+  if (borders.empty()) return borders;
+  const auto ends = std::minmax_element(borders.begin(), borders.end());
+  const double first = *ends.first, last = *ends.second;
+  lit_borders(context, ray, first, last, borders);
   std::sort(borders.begin(), borders.end());
   borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
   return borders;

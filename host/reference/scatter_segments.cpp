@@ -1,99 +1,17 @@
-// See scatter_segments.hpp. Written from ARCHITECTURE.md, one segment after the other.
+// See scatter_segments.hpp. Written from PICTURE.md, one segment after the other.
 #include "reference/scatter_segments.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
-#include "reference/light_grid.hpp"
-#include "reference/phase.hpp"
+#include "reference/lit_steps.hpp"
+#include "reference/scatter_light.hpp"
 #include "reference/tracking.hpp"
 #include "shared/method.h"
 
 namespace brume::reference {
 namespace {
-
-// Mean of exp(-t) over [0, x], also for x < 0.
-double mean_exp(double x) { return x == 0 ? 1 : -std::expm1(-x) / x; }
-
-// ∫ρT over a segment by the rule of the frame: `integral` is ∫ρ over it, `before` the optical depth up to it and
-// `depth` that over it.
-double gain_of(int rule, double integral, double before, double depth) {
-  if (rule == IN_SCATTERING_RECTANGLE) return std::exp(-(before + depth)) * integral;
-  return std::exp(-before) * mean_exp(depth) * integral;
-}
-
-// ∫ exp(-(a + (b - a) u)) du over [0, 1].
-double mean_between(double a, double b) { return std::exp(-std::min(a, b)) * mean_exp(std::abs(b - a)); }
-
-// A piece of a view ray through a medium for which light is asked for: at t, or where it is dense at both of its ends.
-struct Segment {
-  int medium;
-  double t;
-  RandomStream walk;    // of the walk that it belongs to,
-  uint id;              // which number it has there,
-  RandomStream random;  // and its own
-  bool dense = false;
-  double begin = 0, end = 0;
-  dvec3 depth{0};  // of all media over it
-};
-
-// τ of all media from a point in a medium to a light, by its light grid if it has one.
-dvec3 light_depth(const Context& context, int index, std::size_t light, const dvec3& point, const RandomStream& random,
-                  double& lookups) {
-  const Medium& medium = context.media[static_cast<std::size_t>(index)];
-  const LightDepths& depths = context.light_depths[static_cast<std::size_t>(index)];
-  if (depths.tau.empty()) {
-    const LightSample sample = light_at(context.scene.lights[light], point);
-    return media_tau(context, {point, -sample.travel}, sample.distance, random, lookups);
-  }
-  ++lookups;
-  return light_grid_tau(depths, light_grid_of(context.scene, medium, light), medium, light, point);
-}
-
-// Mean of T to a light, that of shadow ray n, over a segment, weighted with the segment's own ρT.
-dvec3 light_transmittance(const Context& context, const Segment& at, std::size_t light, uint n, const RayD& ray,
-                          double& lookups) {
-  const auto depth = [&](double t, uint stream) {
-    return light_depth(context, at.medium, light, ray.at(t), at.random.child(stream + n), lookups);
-  };
-  if (!at.dense) return transmittance_of(depth(at.t, STREAM_LIGHT));
-  // from inside both ends, of which one may lie on a face of a medium along which light travels, and on in a straight
-  // line
-  const double inset = 1.0 / 16384, length = at.end - at.begin;
-  const dvec3 near = depth(at.begin + inset * length, STREAM_LIGHT),
-              far = depth(at.end - inset * length, STREAM_LIGHT_END), slope = (far - near) / (1 - 2 * inset);
-  const dvec3 begin = glm::max(near - inset * slope, 0.0), end = at.depth + glm::max(far + inset * slope, 0.0);
-  dvec3 mean;
-  for (int c = 0; c < 3; ++c) mean[c] = mean_between(begin[c], end[c]) / mean_between(0, at.depth[c]);
-  return mean;
-}
-
-// S of a segment, and into shadow_key the lights that a surface keeps from its t.
-dvec3 source_at(const Context& context, const Segment& at, const RayD& ray, Scattered& result) {
-  const Medium& medium = context.media[static_cast<std::size_t>(at.medium)];
-  dvec3 source(0);
-  if (vec_promote(medium.sigma_s) == dvec3(0)) return source;
-  const dvec3 point = ray.at(at.t), nothing(0);
-  uint n = 0;
-  for (const LightPick& pick : light_picks(context.scene, at.walk, at.id)) {
-    const uint shadow = n++;
-    const Arrival arrival = light_arrival(context, pick.light, point, point, {}, result.lookups, &nothing);
-    if (!arrival.light.shines()) continue;
-    if (arrival.blocked) result.shadow_key += static_cast<uint>(pick.light + 1);
-    if (arrival.irradiance == dvec3(0)) continue;
-    source += pick.weight * arrival.irradiance *
-              light_transmittance(context, at, pick.light, shadow, ray, result.lookups) *
-              phase_eval(medium.phase, medium.g, glm::dot(arrival.light.travel, -ray.dir));
-  }
-  return source;
-}
-
-// What a medium sends to the origin of the ray from one place: σs S + emission.
-dvec3 sent_from(const Context& context, const Segment& at, const RayD& ray, Scattered& result) {
-  const Medium& medium = context.media[static_cast<std::size_t>(at.medium)];
-  return vec_promote(medium.sigma_s) * source_at(context, at, ray, result) + vec_promote(medium.emission);
-}
 
 // τ of the other media along a view ray where a medium is tracked: an estimate from one asked place to the next.
 struct Others {
@@ -149,7 +67,7 @@ class DepthAlong {
 
 double largest(const dvec3& v) { return std::max({v.x, v.y, v.z}); }
 
-// A walk through one medium that is not tracked, as ARCHITECTURE.md cuts it into segments and dense ones into parts.
+// A walk through one medium that is not tracked, as PICTURE.md cuts it into segments and dense ones into parts.
 struct SegmentWalk {
   const Context& context;
   const Medium& medium;
@@ -175,10 +93,22 @@ struct SegmentWalk {
   }
 
   double parts_of(const SegmentD& segment) {
-    if (rule != IN_SCATTERING_SEGMENT) return 1;
+    if (rule == IN_SCATTERING_RECTANGLE) return 1;
     const dvec3 along = takes_ends ? beside(segment).second : dvec3(0);
     const double depth = largest(sigma_t * segment.density_length + along);
-    return std::clamp(std::ceil(depth * 8 - 1.0 / 1024), 1.0, 256.0);
+    const double parts_per_depth = rule == IN_SCATTERING_GAUSS2 ? 4 : 8;
+    return std::clamp(std::ceil(depth * parts_per_depth - 1.0 / 1024), 1.0, 256.0);
+  }
+
+  // Of ∫ρ over a segment within a cell, what its second point of two stands for.
+  double second_share(const SegmentD& segment) const {
+    const RayD in_cells = ray_to_cells(medium, ray);
+    const auto density = [&](double share) {
+      const double t = segment.t_begin + share * (segment.t_end - segment.t_begin);
+      return density_in_cell(context.scene, medium, segment.cell, in_cells.at(t));
+    };
+    const double first = density(FIRST_POINT), second = density(1 - FIRST_POINT);
+    return first + second > 0 ? second / (first + second) : 0.5;
   }
 
   SegmentD part_of(const SegmentD& whole, double i, double count) {
@@ -201,8 +131,11 @@ struct SegmentWalk {
     const dvec3 depth = sigma_t * segment.density_length + other_depth, before = own_tau + other_tau;
     const bool dense =
         takes_ends && rule == IN_SCATTERING_SEGMENT && largest(depth) > (medium.is_constant ? 1.0 / 512 : 1.0 / 16);
-    const Segment at{index, segment.sample,  walk,          segment.id, walk.child(segment.id),
-                     dense, segment.t_begin, segment.t_end, depth};
+    Segment at{index, segment.sample,  walk,          segment.id, walk.child(segment.id),
+               dense, segment.t_begin, segment.t_end, depth};
+    at.two_points = rule == IN_SCATTERING_GAUSS2;
+    at.bends = takes_ends;
+    if (method_rule(method) == RULE_GAUSS2) at.second = second_share(segment);
     dvec3 gain;
     for (int c = 0; c < 3; ++c) gain[c] = gain_of(rule, segment.density_length, before[c], depth[c]);
     result.radiance += sent_from(context, at, ray, result) * gain;
@@ -215,7 +148,9 @@ struct SegmentWalk {
   }
 
   void run(double t_max) {
-    for (const SegmentD& segment : segments(context.scene, index, ray, 0, t_max, method, walk)) {
+    const bool lit_steps = rule == IN_SCATTERING_GAUSS2 && method_rule(method) == RULE_PRODUCT;
+    for (const SegmentD& segment : lit_steps ? lit_segments(context, index, ray, t_max)
+                                             : segments(context.scene, index, ray, 0, t_max, method, walk)) {
       result.lookups += segment_lookups(medium, method);
       if (!(segment.density_length > 0)) continue;
       const double count = parts_of(segment);

@@ -1,4 +1,4 @@
-// What one medium scatters and emits towards the origin of a view ray, segment by segment (ARCHITECTURE, Media).
+// What one medium scatters and emits towards the origin of a view ray, segment by segment (PICTURE, Media).
 #pragma once
 #include "reference/scatter.hpp"
 

@@ -1,7 +1,7 @@
 // The surface at a hit: normals, texture coordinates, colours, and how it reflects one light.
 // Shadows and media are no business of this file.
 #pragma once
-#include "flat/render_plan.hpp"
+#include "plan/render_plan.hpp"
 #include "reference/intersect.hpp"
 
 namespace brume::reference {

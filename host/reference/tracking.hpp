@@ -30,8 +30,8 @@ struct CollisionWorth {
 CollisionWorth collide(const CollisionD& collision, const dvec3& sigma_t, const RandomStream& random, int method,
                        dvec3& transmittance);
 
-// Russian roulette: below the threshold T goes on with probability T / threshold and then becomes the threshold; else
-// 0. By the channel that is left most. False: ended.
+// Russian roulette, by the largest channel of T: where it is below the threshold, the ray goes on with probability
+// T / threshold and all channels grow so that the largest is the threshold; else they become 0. False: the ray ended.
 bool roulette(double threshold, const RandomStream& random, uint id, dvec3& transmittance);
 
 }  // namespace brume::reference

@@ -9,7 +9,7 @@ namespace brume {
 
 namespace {
 
-// Trackers take their rates from the ranges, bytes their scale.
+// Whether kernels read brick_ranges: trackers for the rate of their collisions, voxels in bytes for their scale.
 bool reads_ranges(const RenderPlan& plan) {
   return (plan.draws >> DRAWS_COLLISIONS) & 1u || plan.storage == STORAGE_U8;
 }

@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "cl/context.hpp"
-#include "flat/render_plan.hpp"
+#include "plan/render_plan.hpp"
 #include "shared/scene_buffers.h"
 
 namespace brume {

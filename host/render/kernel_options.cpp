@@ -16,28 +16,40 @@ unsigned bits_used(const Items& items, Key key) {
   return bits;
 }
 
-std::string define(const char* name, unsigned value) {
-  return std::string(" -DBRUME_") + name + "=" + std::to_string(value);
-}
-
-std::string scene_options(const FlatScene& s, const RenderPlan& plan) {
-  return define("MEDIA", static_cast<unsigned>(std::min<std::size_t>(s.media.size(), 2))) +
-         define("COLOR_TAU", s.color_tau) +
-         define("METHODS_USED", bits_used(plan.walks, [](const MediumWalk& w) { return w.method; })) +
-         define("JITTER", (plan.draws >> DRAWS_PLACES) & 1u) +
-         define("TRACKING", (plan.draws >> DRAWS_COLLISIONS) & 1u) + define("ROULETTE", plan.frame.roulette > 0) +
-         define("SPHERE_REGION",
-                (bits_used(s.placed, [](const PlacedGrid& p) { return p.region; }) >> REGION_SPHERE) & 1u) +
-         define("LIGHT_GRID", plan.light_entries > 0) +
-         define("PHASES_USED", bits_used(s.media, [](const MediumBody& m) { return m.phase; })) +
-         define("SHAPES_USED", bits_used(s.shapes, [](const Shape& shape) { return shape.type; })) +
-         define("TRIANGLES", !s.triangles.empty()) + define("TEXTURED", !s.textures.empty()) +
-         define("SPECULAR", scene_is_specular(s)) +
-         define("LIGHTS_CHOSEN", plan.frame.light_picks < plan.frame.light_count) +
-         define("LIGHTS_USED", bits_used(s.lights, [](const Light& l) { return l.type; }));
-}
+constexpr unsigned all_bits(int count) { return (1u << count) - 1; }
 
 }  // namespace
+
+std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderPlan& plan) {
+  const unsigned methods = bits_used(plan.walks, [](const MediumWalk& w) { return w.method; });
+  const unsigned regions = bits_used(s.placed, [](const PlacedGrid& p) { return p.region; });
+  const unsigned phases = bits_used(s.media, [](const MediumBody& m) { return m.phase; });
+  const unsigned shapes = bits_used(s.shapes, [](const Shape& shape) { return shape.type; });
+  const unsigned lights = bits_used(s.lights, [](const Light& l) { return l.type; });
+  const unsigned rules = s.media.empty() ? 0u : 1u << plan.frame.in_scattering;
+  return {
+      {"MEDIA", static_cast<unsigned>(std::min<std::size_t>(s.media.size(), 2)), 2, "media"},
+      {"COLOR_TAU", static_cast<unsigned>(s.color_tau), 1, "an optical depth for each channel"},
+      {"METHODS_USED", methods, all_bits(METHOD_COUNT), "methods"},
+      {"JITTER", (plan.draws >> DRAWS_PLACES) & 1u, 1, "random places in steps"},
+      {"TRACKING", (plan.draws >> DRAWS_COLLISIONS) & 1u, 1, "random collisions"},
+      {"ROULETTE", plan.frame.roulette > 0, 1, "roulette"},
+      {"SPHERE_REGION", (regions >> REGION_SPHERE) & 1u, 1, "media cut to spheres"},
+      {"LIGHT_GRID", plan.light_entries > 0, 1, "light grids"},
+      {"IN_SCATTERINGS_USED", rules, all_bits(IN_SCATTERING_COUNT), "rules of in-scattering"},
+      {"PHASES_USED", phases, all_bits(PHASE_COUNT), "phase functions"},
+      {"SHAPES_USED", shapes, all_bits(SHAPE_COUNT), "shapes"},
+      {"TRIANGLES", !s.triangles.empty(), 1, "triangles"},
+      {"TEXTURED", !s.textures.empty(), 1, "textures"},
+      {"SPECULAR", scene_is_specular(s), 1, "mirrors and glass"},
+      {"LIGHTS_CHOSEN", plan.frame.light_picks < plan.frame.light_count, 1, "lights chosen at random"},
+      {"LIGHTS_USED", lights, all_bits(LIGHT_COUNT), "lights"},
+  };
+}
+
+std::string option_text(const char* name, unsigned value) {
+  return std::string(" -DBRUME_") + name + "=" + std::to_string(value);
+}
 
 bool scene_is_specular(const FlatScene& scene) {
   return std::any_of(scene.materials.begin(), scene.materials.end(),
@@ -46,10 +58,14 @@ bool scene_is_specular(const FlatScene& scene) {
 
 std::string kernel_options(const FlatScene& scene, const RenderPlan& plan, const DeviceInfo& device, int lanes,
                            bool generic) {
-  return define("LANES", static_cast<unsigned>(lanes)) + define("BVH_WIDTH", static_cast<unsigned>(scene.bvh_width)) +
-         define("FAST_FMA", device.fast_fma) +
-         define("STORAGE", static_cast<unsigned>(scene.voxels.empty() ? STORAGE_F32 : plan.storage)) +
-         define("OUTLINE", device.cpu) + (generic ? "" : scene_options(scene, plan));
+  std::string text = option_text("LANES", static_cast<unsigned>(lanes)) +
+                     option_text("BVH_WIDTH", static_cast<unsigned>(scene.bvh_width)) +
+                     option_text("FAST_FMA", device.fast_fma) +
+                     option_text("STORAGE", static_cast<unsigned>(scene.voxels.empty() ? STORAGE_F32 : plan.storage)) +
+                     option_text("OUTLINE", device.cpu);
+  if (generic) return text;
+  for (const KernelOption& option : scene_kernel_options(scene, plan)) text += option_text(option.name, option.value);
+  return text;
 }
 
 }  // namespace brume

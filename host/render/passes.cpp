@@ -143,20 +143,20 @@ void Passes::finish() {
 
 double Passes::light_grid_items() const {
   double items = 0;
-  for (const LightGridWork& grid : light_grids_) items += grid.items;
+  for (const LightGridWork& grid : light_grids_) items += grid.items - grid.first;
   return items;
 }
 
-void Passes::fill_light_grid(const LightGridWork& grid, double& done, bool& stopped,
+void Passes::fill_light_grid(LightGridWork& grid, double& done, bool& stopped,
                              const std::function<bool(double)>& go_on) {
   Pace pace(PIECE_FIRST, grid.items);
-  for (cl_uint first = 0; first < grid.items && !stopped;) {
-    const cl_uint items = std::min(static_cast<cl_uint>(pace.next()), grid.items - first);
+  while (grid.first < grid.items && !stopped) {
+    const cl_uint items = std::min(static_cast<cl_uint>(pace.next()), grid.items - grid.first);
     const Stopwatch lap;
-    enqueue(LIGHT_GRID, items, grid.medium, grid.light, first, first + items, scene_.light_tau());
+    enqueue(LIGHT_GRID, items, grid.medium, grid.light, grid.first, grid.first + items, scene_.light_tau());
     finish();
     pace.took(items, lap.seconds());
-    first += items;
+    grid.first += items;
     stopped = !go_on(done += items);
   }
 }
@@ -165,7 +165,7 @@ void Passes::fill_light_grids(const std::function<bool(double)>& go_on) {
   bool stopped = false;
   double done = 0;
   try {
-    for (const LightGridWork& grid : light_grids_) fill_light_grid(grid, done, stopped, go_on);
+    for (LightGridWork& grid : light_grids_) fill_light_grid(grid, done, stopped, go_on);
   } catch (const cl::Error& error) {
     failed(error);
   }

@@ -7,7 +7,7 @@
 
 #include "base/stopwatch.hpp"
 #include "cl/context.hpp"
-#include "flat/render_plan.hpp"
+#include "plan/render_plan.hpp"
 #include "render/device_scene.hpp"
 #include "render/renderer.hpp"
 #include "render/work.hpp"
@@ -24,9 +24,10 @@ class Passes {
   double upload_seconds() const { return upload_seconds_; }
   double scene_upload_seconds() const { return device_scene_->upload_seconds(); }
 
-  // Fills the light grids, if there are any, piece by piece while go_on(items done) holds.
+  // Fills the light grids, if there are any, piece by piece while go_on(items done) holds: what an earlier call has
+  // left.
   void fill_light_grids(const std::function<bool(double)>& go_on);
-  double light_grid_items() const;
+  double light_grid_items() const;  // that are left
   // All passes over one batch: a wave of camera rays, then one of the rays that they send on, until none is left.
   // `pixels`: what the pixel of each entry holds, to which its samples are added. False where a wave would hold more
   // rays than there is room for; the pixels are as before then. A batch of one sample always fits.
@@ -37,7 +38,7 @@ class Passes {
  private:
   struct LightGridWork {
     cl_int medium, light;
-    cl_uint first, items;
+    cl_uint first, items;  // those before `first` are filled
   };
   // In the order in which they run; shared by the table of names and items in passes.cpp.
   enum Id {
@@ -60,8 +61,7 @@ class Passes {
   bool enqueue_waves(cl_uint entries, cl_uint samples);
   cl_uint next_wave(cl_uint samples);  // rays of the next wave; 0: none, above wave_rays_: more than there is room for
   void finish();                       // waits for what is enqueued and adds its times to the statistics
-  void fill_light_grid(const LightGridWork& grid, double& done, bool& stopped,
-                       const std::function<bool(double)>& go_on);
+  void fill_light_grid(LightGridWork& grid, double& done, bool& stopped, const std::function<bool(double)>& go_on);
   [[noreturn]] void failed(const cl::Error& error) const;
 
   struct Enqueued {

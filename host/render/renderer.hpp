@@ -7,7 +7,7 @@
 
 #include "cl/context.hpp"
 #include "film/film.hpp"
-#include "flat/render_plan.hpp"
+#include "plan/render_plan.hpp"
 #include "render/work.hpp"
 
 namespace brume {

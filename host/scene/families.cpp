@@ -39,6 +39,9 @@ FAMILY(in_scattering_family, BRUME_IN_SCATTERINGS)
 #define ROW(id, name, help) {SHADOW_##id, name, help},
 FAMILY(shadow_family, BRUME_SHADOWS)
 #undef ROW
+#define ROW(id, name, help) {METRIC_##id, name, help},
+FAMILY(error_metric_family, BRUME_ERROR_METRICS)
+#undef ROW
 #define ROW(id, name, help) {STORAGE_##id, name, help},
 FAMILY(storage_family, BRUME_STORAGES)
 #undef ROW

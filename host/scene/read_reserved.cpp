@@ -13,7 +13,6 @@ struct Reserved {
   const char* allowed;  // JSON: the list of the values that work today
 };
 constexpr Reserved RESERVED[] = {
-    {Part::RENDER, "max_error", "[null]"},
     {Part::MESH, "shading", R"(["flat", "phong"])"},
 };
 

@@ -150,6 +150,18 @@ inline constexpr int METHOD_AUTO = -1;
 inline constexpr int SHADOW_AUTO = -1;
 inline constexpr int LIGHT_SAMPLES_AUTO = -1;
 
+// How far off a picture is, in one number. ROW(ID, name, help)
+#define BRUME_ERROR_METRICS(ROW)                                                            \
+  ROW(REL_RMSE, "rel_rmse", "root of the mean squared error, over the mean of the picture") \
+  ROW(MAX_ABS, "max_abs", "the largest error of a value")                                   \
+  ROW(DISPLAY, "display", "what 99 % of the display values, in 0 to 1, are not further off than")
+enum ErrorMetric {
+#define ROW(id, name, help) METRIC_##id,
+  BRUME_ERROR_METRICS(ROW)
+#undef ROW
+      METRIC_COUNT
+};
+
 struct RenderDesc {
   int method = METHOD_AUTO;
   double step = 0.05;  // share of the medium's longest side
@@ -161,6 +173,11 @@ struct RenderDesc {
   double roulette = 0;                     // transmittance below which view rays end at random; 0: never
   int max_depth = 5;
   int seed = 0;
+  std::optional<double> max_error;    // settings of the media are chosen that reach it soonest, in error_metric,
+  std::optional<double> time_budget;  // or that come closest in so many seconds; never both
+  int error_metric = METRIC_REL_RMSE;
+
+  bool has_goal() const { return max_error || time_budget; }
 };
 
 struct SceneDesc {

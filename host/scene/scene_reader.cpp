@@ -71,7 +71,14 @@ RenderDesc read_render(const JsonValue& scene) {
   r.roulette = render.number("roulette", r.roulette, Range::closed(0, 1));
   r.max_depth = render.integer("max_depth", r.max_depth, 0, 64);
   r.seed = render.integer("seed", r.seed, 0, 0x7fffffff);
-  refuse_reserved(render, Part::RENDER);
+  const auto goal = [&](const char* key, std::optional<double>& value) {
+    if (render.has(key) && !render.get(key).json().is_null()) value = render.get(key).as_number(Range::positive());
+  };
+  goal("max_error", r.max_error);
+  goal("time_budget", r.time_budget);
+  r.error_metric = render.member("error_metric", r.error_metric, error_metric_family(), "error metric");
+  if (r.max_error && r.time_budget)
+    render.get("time_budget").fail("expected without max_error: one of them is reached");
   render.refuse_unread();
   return r;
 }

@@ -157,6 +157,9 @@ Json render_json(const RenderDesc& r) {
             {"max_depth", r.max_depth},
             {"seed", r.seed}};
   if (r.light_samples != LIGHT_SAMPLES_AUTO) json["light_samples"] = r.light_samples;
+  if (r.max_error) json["max_error"] = number(*r.max_error);
+  if (r.time_budget) json["time_budget"] = number(*r.time_budget);
+  if (r.has_goal()) json["error_metric"] = family_name(error_metric_family(), r.error_metric);
   return json;
 }
 

@@ -5,7 +5,7 @@
 
 #include "base/error.hpp"
 #include "check/check_images.hpp"
-#include "flat/flatten.hpp"
+#include "plan/planned_scene.hpp"
 #include "reference/medium.hpp"
 #include "scene/families.hpp"
 #include "scene/scene_reader.hpp"

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/number_text.hpp"
-#include "flat/flatten.hpp"
+#include "plan/planned_scene.hpp"
 #include "reference/medium.hpp"
 #include "reference/scatter.hpp"
 #include "scene/families.hpp"

@@ -25,6 +25,14 @@ static inline intW brick_entries(const Scene* scene, const Medium* medium, intW 
   return lanes_gather_int(scene->bricks, block + brick_in_block(x, y, z));
 }
 
+// The same of W bricks in their order along a ray: where the first and the last lie in one block, all do.
+static inline intW brick_entries_along(const Scene* scene, const Medium* medium, intW x, intW y, intW z) {
+  const intW at = brick_block_at(medium, x, y, z);
+  const intW block =
+      lanes_first(at) == lanes_last(at) ? (intW)(scene->bricks[lanes_first(at)]) : lanes_gather_int(scene->bricks, at);
+  return lanes_gather_int(scene->bricks, block + brick_in_block(x, y, z));
+}
+
 // Where the sample of cell (0, 0, 0) would lie if the brick reached there: cell (x, y, z) is at this +
 // brick_stride(x, y, z).
 #define brick_base(number, x, y, z) ((number)*BRICK_VALUES - BRICK_CELLS * brick_stride(x, y, z))

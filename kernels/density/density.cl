@@ -7,20 +7,15 @@
 // 1 (of a vector: -1) in the lanes where lo <= position <= hi.
 #define density_inside(position, lo, hi) (((position) >= (floatW)(lo)) & ((position) <= (floatW)(hi)))
 
-// The cell of a position, moved into the grid.
-static inline floatW density_cell(floatW position, int cells) {
-  return fmin(fmax(floor(position), (floatW)(0.0f)), (floatW)((float)(cells - 1)));
-}
-
 // Density of a medium at W points of its cell space; 0 outside of its box [lo, hi], also where a coordinate is no
 // number.
 static inline floatW density_at(const Scene* scene, const Medium* medium, floatW x, floatW y, floatW z) {
   const intW inside = density_inside(x, medium->lo.x, medium->hi.x) & density_inside(y, medium->lo.y, medium->hi.y) &
                       density_inside(z, medium->lo.z, medium->hi.z);
   if (medium->is_constant) return lanes_select((floatW)(0.0f), (floatW)(medium->constant_density), inside);
-  const floatW cx = density_cell(x, medium->cells_x), cy = density_cell(y, medium->cells_y),
-               cz = density_cell(z, medium->cells_z);
-  const intW ix = lanes_to_int(cx), iy = lanes_to_int(cy), iz = lanes_to_int(cz);
+  const intW ix = lanes_whole(x, (floatW)((float)(medium->cells_x - 1)));
+  const intW iy = lanes_whole(y, (floatW)((float)(medium->cells_y - 1)));
+  const intW iz = lanes_whole(z, (floatW)((float)(medium->cells_z - 1)));
   const intW bx = ix / BRICK_CELLS, by = iy / BRICK_CELLS, bz = iz / BRICK_CELLS;
   const intW entry = brick_entries(scene, medium, bx, by, bz);
   const intW used = inside & (entry != (intW)(BRICK_EMPTY));
@@ -29,14 +24,10 @@ static inline floatW density_at(const Scene* scene, const Medium* medium, floatW
   const intW number = lanes_select((intW)(0), entry, used);
   Lookup l;
   l.sample = brick_base(number, bx, by, bz) + brick_stride(ix, iy, iz);
-  l.fx = x - cx;
-  l.fy = y - cy;
-  l.fz = z - cz;
-  floatW density, next;
-  if (medium->interpolation == INTERPOLATION_NEAREST)
-    voxels_gather2(scene->voxels, l.sample, &density, &next);
-  else
-    density = lookup_blend(scene->voxels, &l);
+  l.fx = x - lanes_to_float(ix);
+  l.fy = y - lanes_to_float(iy);
+  l.fz = z - lanes_to_float(iz);
+  floatW density = lookup_value(medium, scene->voxels, &l);
 #if BRUME_STORAGE == 2
   float zero[W], part[W];
   brick_scales(scene, number, zero, part);

@@ -1,4 +1,4 @@
-// The stretch of a ray inside a medium, and density lookups in its bricks. Knows no radiometry.
+// The part of a ray inside a medium, and density lookups in its bricks. Knows no radiometry.
 #ifndef BRUME_DENSITY_MEDIUM_CL
 #define BRUME_DENSITY_MEDIUM_CL
 #include "lib/scene.cl"
@@ -44,10 +44,11 @@ static inline MediumRay medium_ray(const Medium* medium, float3 origin, float3 d
   return r;
 }
 
-// Up to W stretches of a ray, each inside one stored brick (or, for a constant medium, anywhere). (x, y, z) is the cell
-// of the stretch, or the first cell of its brick: the walk that fills them knows which, and says so as `within` below.
+// Up to W segments of a ray, each inside one stored brick (or, for a constant medium, anywhere). (x, y, z) is the cell
+// of the segment, or the first cell of its brick: the walk that fills them knows which, and says so as `within` below.
 typedef struct {
-  int count;  // how many have a length; those without lie last, but for the marchers' in empty bricks; 0 at the end
+  int count;       // how many have a length; 0 at the end of the ray. They come first; only marchers, whose steps lie
+                   // in fixed lanes, leave gaps of size 0 where a brick is empty
   float begin[W];  // s at which the segment begins
   float place[W];  // s at which density and light are sampled: the middle, but for some marchers
   float size[W];   // world length; 0 beyond count
@@ -100,22 +101,29 @@ typedef struct {
   floatW fx, fy, fz;
 } Lookup;
 
-static inline floatW lookup_cell(floatW position, int within) {
-  return within == WITHIN_CELL ? (floatW)(0.0f) : fmin(fmax(floor(position), (floatW)(0.0f)), (floatW)(float)within);
+static inline intW lookup_cell(floatW position, int within) {
+  return within == WITHIN_CELL ? (intW)(0) : lanes_whole(position, (floatW)((float)within));
+}
+
+// At s along the ray, in the cell or brick that begins at (x0, y0, z0); its first sample is `first`.
+static inline Lookup lookup_from(const MediumRay* ray, floatW s, floatW x0, floatW y0, floatW z0, intW first,
+                                 int within) {
+  const floatW x = mad_exact(s, (floatW)(ray->dir.x), (floatW)(ray->origin.x)) - x0;
+  const floatW y = mad_exact(s, (floatW)(ray->dir.y), (floatW)(ray->origin.y)) - y0;
+  const floatW z = mad_exact(s, (floatW)(ray->dir.z), (floatW)(ray->origin.z)) - z0;
+  const intW cx = lookup_cell(x, within), cy = lookup_cell(y, within), cz = lookup_cell(z, within);
+  Lookup l;
+  l.sample = first + brick_stride(cx, cy, cz);
+  l.fx = x - lanes_to_float(cx);
+  l.fy = y - lanes_to_float(cy);
+  l.fz = z - lanes_to_float(cz);
+  return l;
 }
 
 static inline Lookup lookup_at(const MediumRay* ray, const Segments* at, floatW s, int within) {
   const floatW x0 = lanes_load(at->x), y0 = lanes_load(at->y), z0 = lanes_load(at->z);
-  const floatW x = mad_exact(s, (floatW)(ray->dir.x), (floatW)(ray->origin.x)) - x0;
-  const floatW y = mad_exact(s, (floatW)(ray->dir.y), (floatW)(ray->origin.y)) - y0;
-  const floatW z = mad_exact(s, (floatW)(ray->dir.z), (floatW)(ray->origin.z)) - z0;
-  const floatW cx = lookup_cell(x, within), cy = lookup_cell(y, within), cz = lookup_cell(z, within);
-  Lookup l;
-  l.sample = lanes_load(at->base) + brick_stride(lanes_to_int(x0 + cx), lanes_to_int(y0 + cy), lanes_to_int(z0 + cz));
-  l.fx = x - cx;
-  l.fy = y - cy;
-  l.fz = z - cz;
-  return l;
+  const intW first = lanes_load(at->base) + brick_stride(lanes_to_int(x0), lanes_to_int(y0), lanes_to_int(z0));
+  return lookup_from(ray, s, x0, y0, z0, first, within);
 }
 
 // Blending is linear: it may come before the brick's own scale.
@@ -150,6 +158,15 @@ static inline floatW lookup_blend(__global const Voxel* voxels, const Lookup* l)
   const floatW v0 = mad_exact(l->fy, v10 - v00, v00);
   const floatW v1 = mad_exact(l->fy, v11 - v01, v01);
   return mad_exact(l->fz, v1 - v0, v0);
+}
+
+// The value of either interpolation, as stored.
+__attribute__((always_inline)) static inline floatW lookup_value(const Medium* medium, __global const Voxel* voxels,
+                                                                 const Lookup* l) {
+  if (medium->interpolation != INTERPOLATION_NEAREST) return lookup_blend(voxels, l);
+  floatW here, next;
+  voxels_gather2(voxels, l->sample, &here, &next);
+  return here;
 }
 
 static inline floatW density_trilinear(__global const Voxel* voxels, const MediumRay* ray, const Segments* at, floatW s,

@@ -1,4 +1,4 @@
-// Film position of a sample and the ray through it. Definitions: ARCHITECTURE, "Pixel positions".
+// Film position of a sample and the ray through it. Definitions: PICTURE, Pixel positions and Camera rays.
 #ifndef BRUME_LIB_CAMERA_CL
 #define BRUME_LIB_CAMERA_CL
 #include "lib/rng.cl"

@@ -7,8 +7,10 @@
 
 #define W BRUME_LANES
 
-// The smaller of two numbers that are not NaN: one instruction where fmin, which must pass over a NaN, takes four.
+// The smaller and the larger of two numbers that are not NaN: one instruction where fmin, which must pass over a NaN,
+// takes four.
 #define fmin_ordered(a, b) ((a) < (b) ? (a) : (b))
+#define fmax_ordered(a, b) ((a) > (b) ? (a) : (b))
 
 #if BRUME_FAST_FMA
 #define mad_exact(a, b, c) fma(a, b, c)
@@ -25,10 +27,13 @@ typedef int intW;
 #define lanes_to_float(v) ((float)(v))
 #define lanes_select(when_false, when_true, condition) ((condition) ? (when_true) : (when_false))
 #define lanes_any(condition) (condition)
+#define lanes_all(condition) (condition)
 #define lanes_sum(v) (v)
 #define lanes_iota() (0.0f)
 #define lanes_before(v) (0.0f)
 #define lanes_gather_int(p, offset) ((p)[offset])
+#define lanes_first(v) (v)
+#define lanes_last(v) (v)
 #else
 #define LANES_GLUE_(a, b) a##b
 #define LANES_GLUE(a, b) LANES_GLUE_(a, b)
@@ -40,6 +45,8 @@ typedef LANES_GLUE(int, BRUME_LANES) intW;
 #define lanes_to_float(v) LANES_GLUE(convert_float, BRUME_LANES)(v)
 #define lanes_select(when_false, when_true, condition) select(when_false, when_true, condition)
 #define lanes_any(condition) any(condition)
+#define lanes_all(condition) all(condition)
+#define lanes_first(v) ((v).s0)
 #endif
 
 // Sums in a fixed tree, so that a picture does not depend on the compiler; lanes_before: of the lanes before each.
@@ -48,6 +55,7 @@ static inline float lanes_sum(floatW v) {
   const float2 a = v.lo + v.hi;
   return a.x + a.y;
 }
+#define lanes_last(v) ((v).s3)
 #define lanes_iota() ((float4)(0, 1, 2, 3))
 static inline floatW lanes_before(floatW v) {
   v += (float4)(0, v.xyz);
@@ -63,6 +71,7 @@ static inline float lanes_sum(floatW v) {
   const float2 b = a.lo + a.hi;
   return b.x + b.y;
 }
+#define lanes_last(v) ((v).s7)
 #define lanes_iota() ((float8)(0, 1, 2, 3, 4, 5, 6, 7))
 static inline floatW lanes_before(floatW v) {
   v += (float8)(0, v.s012, v.s3456);
@@ -80,6 +89,7 @@ static inline float lanes_sum(floatW v) {
   const float2 c = b.lo + b.hi;
   return c.x + c.y;
 }
+#define lanes_last(v) ((v).sf)
 #define lanes_iota() ((float16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
 static inline floatW lanes_before(floatW v) {
   v += (float16)(0, v.s012, v.s3456, v.s789abcde);
@@ -93,6 +103,10 @@ static inline intW lanes_gather_int(__global const int* p, intW o) {
                  p[o.sb], p[o.sc], p[o.sd], p[o.se], p[o.sf]);
 }
 #endif
+
+// x cut to [0, last], and 0 where it is no number; the whole number before it.
+#define lanes_cut(x, last) fmin_ordered(fmax_ordered(x, (floatW)(0.0f)), last)
+#define lanes_whole(x, last) lanes_to_int(lanes_cut(x, last))
 
 // name(p, offset, &first, &second): p[offset] and p[offset + 1] of every lane, by load2(p) -> float2. One 8-byte load a
 // lane is 1.3 times as fast as two of 4 bytes.
@@ -132,16 +146,26 @@ static inline intW lanes_gather_int(__global const int* p, intW o) {
 
 // 1 - exp(-x) for x >= 0, within 3 ulp: below 1/2 its series, where the difference would cancel; a third of the time of
 // expm1.
+#define EXP_TERM(type, sum, x, factorial) mad_exact(sum, x, (type)(1.0f / (factorial)))
+#define ONE_MINUS_EXP(name, type)                                                                \
+  static inline type name(type x) {                                                              \
+    type sum = EXP_TERM(type, EXP_TERM(type, (type)(-1.0f / 40320.0f), x, 5040.0f), x, -720.0f); \
+    sum = EXP_TERM(type, EXP_TERM(type, EXP_TERM(type, sum, x, 120.0f), x, -24.0f), x, 6.0f);    \
+    return mad_exact(mad_exact(sum, x, (type)(-0.5f)), x, (type)(1.0f)) * x;                     \
+  }
+ONE_MINUS_EXP(one_minus_exp_series, float)
+#if W == 1
+#define lanes_one_minus_exp_series one_minus_exp_series
+#else
+ONE_MINUS_EXP(lanes_one_minus_exp_series, floatW)
+#endif
+
+static inline float one_minus_exp(float x) { return x < 0.5f ? one_minus_exp_series(x) : 1.0f - exp(-x); }
+
 static inline floatW lanes_one_minus_exp(floatW x) {
-  floatW series = (floatW)(-1.0f / 40320.0f);
-  series = mad_exact(series, x, (floatW)(1.0f / 5040.0f));
-  series = mad_exact(series, x, (floatW)(-1.0f / 720.0f));
-  series = mad_exact(series, x, (floatW)(1.0f / 120.0f));
-  series = mad_exact(series, x, (floatW)(-1.0f / 24.0f));
-  series = mad_exact(series, x, (floatW)(1.0f / 6.0f));
-  series = mad_exact(series, x, (floatW)(-0.5f));
-  series = mad_exact(series, x, (floatW)(1.0f)) * x;
-  return lanes_select(1.0f - exp(-x), series, x < 0.5f);
+  const intW thin = x < (floatW)(0.5f);
+  const floatW series = lanes_one_minus_exp_series(x);
+  return lanes_all(thin) ? series : lanes_select(1.0f - exp(-x), series, thin);
 }
 
 // (1 - exp(-x)) / x for x >= 0, 1 at 0: the mean of exp(-t) over t in [0, x].

@@ -48,6 +48,9 @@
 #ifndef BRUME_LIGHT_GRID  // some medium has a light grid
 #define BRUME_LIGHT_GRID 1
 #endif
+#ifndef BRUME_IN_SCATTERINGS_USED  // bit IN_SCATTERING_x of the frame
+#define BRUME_IN_SCATTERINGS_USED (-1)
+#endif
 #ifndef BRUME_PHASES_USED  // bit PHASE_x
 #define BRUME_PHASES_USED (-1)
 #endif

@@ -1,4 +1,4 @@
-// Textures and the light that a material sends to the viewer. Definitions: ARCHITECTURE "The pixel", shared/material.h.
+// Textures and the light that a material sends to the viewer. Definitions: PICTURE, The pixel; shared/material.h.
 #ifndef BRUME_MATERIALS_MATERIAL_CL
 #define BRUME_MATERIALS_MATERIAL_CL
 #include "materials/surface.cl"

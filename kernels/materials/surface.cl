@@ -7,7 +7,7 @@ typedef struct {
   float3 point, geometric_normal, normal;
   float2 uv;
   int leaving;  // the ray comes from the side to which the shape's own normal does not point: from inside a closed one
-  float epsilon;  // offset of rays that leave the point, ARCHITECTURE "Hits"
+  float epsilon;  // offset of rays that leave the point, PICTURE, Hits
   int material;
 } Surface;
 

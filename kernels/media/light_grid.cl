@@ -13,7 +13,7 @@ typedef struct {
 // Among n points of which the first is `first`: the point before x, and into *weight that of the next.
 static inline floatW light_grid_axis(floatW x, floatW first, int n, floatW* weight) {
   const floatW g = x - first;
-  const floatW before = fmin(fmax(floor(g), (floatW)(0.0f)), (floatW)((float)(n - 2)));
+  const floatW before = lanes_to_float(lanes_whole(g, (floatW)((float)(n - 2))));
   *weight = g - before;
   return before;
 }

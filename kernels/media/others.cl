@@ -1,4 +1,4 @@
-// Depth of the media beside one along a view ray: each is walked once over the stretch of a whole batch of segments,
+// Depth of the media beside one along a view ray: each is walked once over the length of a whole batch of segments,
 // and how far its segments have come where those of the batch begin and end follows from how ∫ρ grows inside of each.
 #ifndef BRUME_MEDIA_OTHERS_CL
 #define BRUME_MEDIA_OTHERS_CL

@@ -1,7 +1,8 @@
 // From ∫ρ to light: extinction per channel, transmittance through all media, in-scattering along a view ray.
 #ifndef BRUME_MEDIA_RADIATIVE_CL
 #define BRUME_MEDIA_RADIATIVE_CL
-#include "media/sources.cl"
+#include "media/lit_steps.cl"
+#include "media/two_points.cl"
 
 // What medium m sends to the origin from these segments.
 static inline float3 stretch_radiance(const Scene* scene, Stretch* s, MediumResult* result) {
@@ -20,7 +21,7 @@ static inline void stretch_end_at(Stretch* s, int i) {
 
 // ∫ρT over segments behind `before`: while T falls by `depth`, evenly with ∫ρ, it is ∫ρ times the mean of T.
 static inline floatW segment_gain(const Scene* scene, floatW integral, floatW before, floatW depth) {
-  if (scene->frame->in_scattering == IN_SCATTERING_RECTANGLE) return exp(-(before + depth)) * integral;
+  if (IN_SCATTERING_IS(scene, RECTANGLE)) return exp(-(before + depth)) * integral;
   return exp(-before) * lanes_mean_exp(depth) * integral;
 }
 
@@ -46,7 +47,7 @@ static inline void stretch_before(const Scene* scene, Stretch* s, Tau sigma_t, T
 static inline void stretch_gains(const Scene* scene, Stretch* s, Tau sigma_t, Tau* tau) {
   floatW before[TAU_CHANNELS];
   s->dense = (intW)(0);
-  if (TAKES_ENDS(scene) && scene->frame->in_scattering == IN_SCATTERING_SEGMENT)
+  if (TAKES_ENDS(scene) && IN_SCATTERING_IS(scene, SEGMENT))
     s->dense = stretch_depth_max(s) > (floatW)(RULE_IS(s->medium, PRODUCT) ? TAU_THIN_CONSTANT : TAU_THIN);
   stretch_before(scene, s, sigma_t, tau, before);
   const floatW integral = lanes_load(s->integral);
@@ -110,17 +111,23 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
   const MediumRay ray = medium_ray(&medium, origin, dir, t_max);
   Tau tau = (Tau)(0.0f);
   if (!(ray.length > 0.0f)) return tau;
-  const int cuts = scene->frame->in_scattering == IN_SCATTERING_SEGMENT;
+  const int cuts = !IN_SCATTERING_IS(scene, RECTANGLE);
   Stretch s = stretch_of(&medium, &ray, origin, dir, t_max, random, m);
   Others others = {-ray.t_begin, (Tau)(0.0f)};
   Segments whole, parts;
   Cut cut;
   cut.lane = W;
   Walk walk = walk_begin(&medium, &ray, s.walk, 0);
+  const int lit_steps = IN_SCATTERING_IS(scene, GAUSS2) && RULE_IS(&medium, PRODUCT);
+  LitSteps lit;
+  if (lit_steps) lit = lit_steps_begin(scene, &s, m);
   while (tau_min(tau + others.tau) < TAU_STOP) {
     const int uncut = cut.lane == W;
     if (uncut) {
-      walk_next(scene, &medium, &ray, &walk, &whole);
+      if (lit_steps)
+        lit_steps_fill(scene, &s, &lit, &whole);
+      else
+        walk_next(scene, &medium, &ray, &walk, &whole);
       s.at = &whole;
     } else {
       stretch_parts(&whole, &cut, &parts, &s);
@@ -134,7 +141,9 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
     for (int i = 0; i < W; ++i) s.id[i] = uncut ? walk_id(&medium, &whole, i) : parts.id[i];
 #endif
     if (uncut || RULE_IS(&medium, GAUSS2)) {
-      lanes_store(walk_integral(scene, &medium, &ray, s.at), s.integral);
+      lanes_store(IN_SCATTERING_IS(scene, GAUSS2) ? walk_integral_shares(scene, &medium, &ray, s.at, &s.second)
+                                                  : walk_integral(scene, &medium, &ray, s.at),
+                  s.integral);
       if (!PLACEMENT_IS(&medium, COLLISIONS)) result->lookups += walk_lookups(&medium, s.at);
     }
 #if BRUME_TRACKING
@@ -148,7 +157,7 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
       stretch_others(scene, &s, m, &moved, &result->lookups);
 #endif
       stretch_depths(&s, sigma_t);
-      if (uncut && cuts && stretch_cut(&s, &cut)) continue;
+      if (uncut && cuts && stretch_cut(scene, &s, &cut)) continue;
       others = moved;
       stretch_gains(scene, &s, sigma_t, &tau);
     }

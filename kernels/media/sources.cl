@@ -14,23 +14,23 @@ typedef struct {
 
 // Mean of the light's transmittance over a segment whose own depth is `depth`, weighted as the view sees it. Both
 // depths grow evenly, that to the light from `begin` to `end`: ∫ exp(-t) over the sum of both, by ∫ exp(-t) over the
-// own (ARCHITECTURE, Media).
+// own (PICTURE, Dense segments).
 static inline floatW lanes_light_mean(floatW begin, floatW end, floatW depth) {
   const floatW last = fmin(depth + end, (floatW)(TAU_FINITE)), first = fmin(begin, (floatW)(TAU_FINITE));
   const floatW nearer = fmin(first, last), span = fabs(last - first);
   return exp(-nearer) * lanes_mean_exp(span) / lanes_mean_exp(depth);
 }
 
-static inline float mean_exp(float x) { return x < 1e-4f ? 1.0f - 0.5f * x : -expm1(-x) / x; }
+static inline float mean_exp(float x) { return x < 1e-4f ? 1.0f - 0.5f * x : one_minus_exp(x) / x; }
 
 static inline float light_mean(float begin, float end, float depth) {
   const float last = fmin(depth + end, TAU_FINITE), first = fmin(begin, TAU_FINITE);
   return exp(-fmin(first, last)) * mean_exp(fabs(last - first)) / mean_exp(depth);
 }
 
-// Light l at segment i: E · V · p, and V into the key. 0 when nothing arrives.
-static inline float3 segment_arriving(const Scene* scene, const Stretch* s, int l, int i, MediumResult* result) {
-  const float3 point = vec_point(s->origin, s->dir, s->ray->t_begin + s->at->place[i]);
+// Light l at a place: E · V · p, and V into the key. 0 when nothing arrives.
+static inline float3 place_arriving(const Scene* scene, const Stretch* s, int l, float place, MediumResult* result) {
+  const float3 point = vec_point(s->origin, s->dir, s->ray->t_begin + place);
   const LightSample light = light_sample(scene, l, point, s->walk);
   if (!(vec_max(light.irradiance) > 0.0f)) return (float3)(0.0f);
   ++result->shadow_rays;
@@ -47,7 +47,7 @@ static inline Colors stretch_arriving(const Scene* scene, const Stretch* s, int 
   Colors out;
 #if !HAS_SURFACES
   if (USES_LIGHT(DIRECTIONAL) && scene->lights[l].type == LIGHT_DIRECTIONAL) {  // the same everywhere
-    const float3 arriving = segment_arriving(scene, s, l, 0, result);
+    const float3 arriving = place_arriving(scene, s, l, s->at->place[0], result);
     result->shadow_rays += (uint)(s->at->count - 1);
     out.x = (floatW)(arriving.x);
     out.y = (floatW)(arriving.y);
@@ -58,7 +58,7 @@ static inline Colors stretch_arriving(const Scene* scene, const Stretch* s, int 
   float x[W], y[W], z[W];
   for (int i = 0; i < W; ++i) {
     float3 arriving = (float3)(0.0f);
-    if (s->integral[i] > 0.0f) arriving = segment_arriving(scene, s, l, i, result);
+    if (s->integral[i] > 0.0f) arriving = place_arriving(scene, s, l, s->at->place[i], result);
     x[i] = arriving.x;
     y[i] = arriving.y;
     z[i] = arriving.z;
@@ -152,7 +152,7 @@ static inline Colors sources_traced(const Scene* scene, Stretch* s, MediumResult
     for (int n = 0; n < scene->frame->light_picks; ++n) {
       if (!(s->integral[i] > 0.0f)) continue;
       const LightPick pick = light_choose(scene, n, xi);
-      const float3 arriving = pick.weight * segment_arriving(scene, s, pick.light, i, result);
+      const float3 arriving = pick.weight * place_arriving(scene, s, pick.light, s->at->place[i], result);
       if (!(vec_max(arriving) > 0.0f)) continue;
       sum += arriving * transmittance_traced(scene, s, pick.light, n, i, dense[i] != 0, depth, result);
     }
@@ -162,14 +162,6 @@ static inline Colors sources_traced(const Scene* scene, Stretch* s, MediumResult
   }
   const Colors out = {lanes_load(x), lanes_load(y), lanes_load(z)};
   return out;
-}
-
-// S of each segment.
-static inline Colors stretch_sources(const Scene* scene, Stretch* s, MediumResult* result) {
-#if BRUME_LIGHT_GRID
-  if (s->medium->light_grids >= 0) return sources_from_grid(scene, s, result);
-#endif
-  return sources_traced(scene, s, result);
 }
 
 #endif

@@ -14,11 +14,17 @@
 #define TAU_THIN (1.0f / 16.0f)
 #define TAU_THIN_CONSTANT (1.0f / 512.0f)  // of a constant medium, through which a depth is one product
 #define TAU_PART (1.0f / 8.0f)
+#define TAU_PART_GAUSS2 (1.0f / 4.0f)  // of more with light at two points of each
 #define PARTS_SLACK 0x1p-10f
 // Ends are taken this share of the segment further in: on a face of a medium, light along that face would be in or out
 // by rounding.
 #define END_INSET 0x1p-14f
 #define PARTS_MAX 256.0f
+
+// The rule by which the frame sums light; folds to a constant when kernels are made for it alone.
+#define IN_SCATTERING_IS(scene, id)                             \
+  ((((BRUME_IN_SCATTERINGS_USED) >> IN_SCATTERING_##id) & 1) && \
+   ((BRUME_IN_SCATTERINGS_USED) == (1 << IN_SCATTERING_##id) || (scene)->frame->in_scattering == IN_SCATTERING_##id))
 
 // τ of the media beside one, carried along a view ray.
 typedef struct {
@@ -26,6 +32,7 @@ typedef struct {
   Tau tau;
 } Others;
 
+// A stretch: one batch of segments of a view ray, and what is known of each.
 typedef struct {
   const Medium* medium;
   const MediumRay* ray;
@@ -45,6 +52,7 @@ typedef struct {
   floatW gain[TAU_CHANNELS];   // ∫ρT over each segment: what each unit of σs S + emission in it sends to the origin
   floatW depth[TAU_CHANNELS];  // τ of all media over each
   intW dense;                  // takes the light from both ends
+  floatW second;               // share of ∫ρ about the second of two points
   float light_t;               // world distance of the last point whose depth to the only light was asked for,
   Tau light_tau;               // and that depth
 } Stretch;
@@ -153,8 +161,9 @@ typedef struct {
 } Cut;
 
 // Cuts the segments if one of them is too dense; 0 if none is.
-static inline int stretch_cut(const Stretch* s, Cut* cut) {
-  const floatW parts = stretch_depth_max(s) * (1.0f / TAU_PART) - PARTS_SLACK;
+static inline int stretch_cut(const Scene* scene, const Stretch* s, Cut* cut) {
+  const float each = IN_SCATTERING_IS(scene, GAUSS2) ? 1.0f / TAU_PART_GAUSS2 : 1.0f / TAU_PART;
+  const floatW parts = stretch_depth_max(s) * each - PARTS_SLACK;
   if (!lanes_any(parts > (floatW)(1.0f))) return 0;
   const floatW count = fmin(fmax(ceil(parts), (floatW)(1.0f)), (floatW)(PARTS_MAX));
   lanes_store(count, cut->count);

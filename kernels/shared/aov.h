@@ -39,12 +39,12 @@ typedef struct {
   uint key;
   float shadow_rays;
   float secondary_rays;
-  float dropped_rays;  // as in MediumResult
+  float dropped_rays;  // as in SurfaceResult
   float dropped_weight;
-  float
-      invalid;  // samples left out of all sums above but the counts of rays: their radiance was no number or above SAMPLE_MAX
-  float
-      clear;  // transmittance, its three channels' mean, over the samples that hit nothing: how much of the background is seen
+  // Samples left out of all sums above but the counts of rays: their radiance was no number or above SAMPLE_MAX.
+  float invalid;
+  // Transmittance, its three channels' mean, over the samples that hit nothing: how much of the background is seen.
+  float clear;
 } FilmPixel;
 BRUME_LAYOUT(FilmPixel, 92);
 BRUME_SHARED_END

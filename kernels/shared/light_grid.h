@@ -1,10 +1,11 @@
 // Light grids: the optical depth of all media from the points of a lattice about a medium to one light.
 // Planes k = 0 … nk-1 divide the medium's box evenly along one axis, columns (U, V) cross them all. The columns of a
-// directional light run along it, so that each point's depth is that of the point before plus one stretch; to keep them
-// inside the box every plane holds its own nu × nv of them, U from floor(slope_u k) and V from floor(slope_v k) on.
-// Other lights: columns along an axis. In plane k the box lies over U from slope_u k + m to slope_u k + m + nu - 1 -
-// 3m, with m = 1 for columns along the light, else 0. Points outside it or nearer to its sides than LIGHT_GRID_INSET
-// are moved there: depths go on outside as they are at the side.
+// directional light run along it, so that each point's depth is that of the point before plus that between the two. To
+// keep them inside the box every plane holds its own nu × nv of them, U from floor(slope_u k) and V from
+// floor(slope_v k) on. Other lights: columns along an axis. In plane k the box lies over U from slope_u k + m to
+// slope_u k + m + nu - 1 - 3m, with m = 1 for columns along the light, else 0. Points outside it or nearer to its sides
+// than LIGHT_GRID_INSET are moved there: depths go on outside as they are at the side. A figure: ARCHITECTURE, Light
+// grids.
 #ifndef BRUME_SHARED_LIGHT_GRID_H
 #define BRUME_SHARED_LIGHT_GRID_H
 #include "shared/platform.h"

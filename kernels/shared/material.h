@@ -1,5 +1,5 @@
 // Surface materials and their textures.
-//   radiance = emission + ambient * scene ambient + Σ lights E (diffuse cosθ / π + specular lobe)   [design §4]
+//   radiance = emission + ambient * scene ambient + Σ lights E (diffuse cosθ / π + specular lobe), PICTURE, The pixel
 #ifndef BRUME_SHARED_MATERIAL_H
 #define BRUME_SHARED_MATERIAL_H
 #include "shared/platform.h"

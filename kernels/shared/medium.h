@@ -1,4 +1,9 @@
-// Participating media: a grid, where it stands, what fills it, and how a picture walks through it.
+// Participating media. One is written as four structs, apart because each is shared or changed by itself:
+//   BrickGrid   a grid in bricks, however many media show it       (of FlatScene, as the next two)
+//   PlacedGrid  where it stands
+//   MediumBody  what fills it: coefficients and phase function
+//   MediumWalk  how one picture walks through it                   (of RenderPlan)
+// medium_join puts the four together: Medium, the only one that kernels read.
 // "Cell space": the space in which the DDA walks. Cell c spans [c, c+1) on each axis.
 //   nearest:   cell = voxel; sample c is the value of the whole cell.
 //   trilinear: cell c lies between sample c and sample c+1; the value at cell-space position p blends the 8 samples

@@ -59,9 +59,10 @@
       "closed form for a constant density (also cut to a sphere); equal steps for the light")
 
 // How the light scattered along a segment is summed.
-#define BRUME_IN_SCATTERINGS(ROW)                                                           \
-  ROW(SEGMENT, "segment", "exact for constant light over each segment: stable at any step") \
-  ROW(RECTANGLE, "rectangle", "density and transmittance of the segment's end times its length")
+#define BRUME_IN_SCATTERINGS(ROW)                                                                \
+  ROW(SEGMENT, "segment", "exact for constant light over each segment: stable at any step")      \
+  ROW(RECTANGLE, "rectangle", "density and transmittance of the segment's end times its length") \
+  ROW(GAUSS2, "gauss2", "light at two points of each segment: of fourth order where light is smooth")
 
 // How light reaches a point inside a medium.
 #define BRUME_SHADOWS(ROW)                                      \

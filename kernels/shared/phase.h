@@ -1,4 +1,4 @@
-// Phase functions. The sign convention is stated once, in kernels/phase/phase.cl and design §4: cos θ between
+// Phase functions. The sign convention is stated once, in kernels/phase/phase.cl: cos θ between
 // directions of TRAVEL before and after scattering, so g > 0 is forward.
 #ifndef BRUME_SHARED_PHASE_H
 #define BRUME_SHARED_PHASE_H

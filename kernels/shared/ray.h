@@ -43,8 +43,7 @@ typedef struct {
   Packed3 transmittance;
   uint lookups;      // density fetches, shadow rays included
   Packed3 radiance;  // in-scattered, as it arrives at the origin
-  uint
-      shadow_key;  // counts the samples whose light was blocked by a surface: two renderers agree on it or sit at an edge
+  uint shadow_key;   // which lights surfaces block where: PICTURE, Keys
   uint shadow_rays;
 } MediumResult;
 BRUME_LAYOUT(MediumResult, 36);
@@ -67,7 +66,7 @@ BRUME_LAYOUT(SurfaceResult, 52);
 // One sample as it grows, ready to be summed into its pixel after its last ray.
 typedef struct {
   Packed3 radiance;
-  uint key;               // see ARCHITECTURE, Keys
+  uint key;               // see PICTURE, Keys
   Packed3 normal;         // of the camera ray's hit: shading normal, 0 for a miss
   float depth;            // from the camera to that hit, 0 for a miss
   Packed3 transmittance;  // of the media before it

@@ -3,14 +3,22 @@
 #define BRUME_WALK_DDA_GAUSS2_CL
 #include "walk/cells.cl"
 
+// Also the share of ∫ρ that the second point stands for.
+static inline floatW dda_gauss2_shares(__global const Voxel* voxels, const MediumRay* ray, const Segments* at,
+                                       floatW* second) {
+  const floatW middle = lanes_load(at->place), size = lanes_load(at->size);
+  const floatW away = size * 0.288675134594813f;  // 1 / (2 √3)
+  const floatW before = density_trilinear(voxels, ray, at, middle - away, WITHIN_CELL),
+               after = density_trilinear(voxels, ray, at, middle + away, WITHIN_CELL), sum = before + after;
+  *second = lanes_select((floatW)(0.5f), after / sum, sum > 0.0f);
+  return 0.5f * size * sum;
+}
+
 static inline floatW dda_gauss2_integral(const Medium* medium, __global const Voxel* voxels, const MediumRay* ray,
                                          const Segments* at) {
   (void)medium;
-  const floatW middle = lanes_load(at->place), size = lanes_load(at->size);
-  const floatW away = size * 0.288675134594813f;  // 1 / (2 √3)
-  const floatW sum = density_trilinear(voxels, ray, at, middle - away, WITHIN_CELL) +
-                     density_trilinear(voxels, ray, at, middle + away, WITHIN_CELL);
-  return 0.5f * size * sum;
+  floatW second;
+  return dda_gauss2_shares(voxels, ray, at, &second);
 }
 
 // a(u) + (f + d u) (b(u) - a(u)): two polynomials of this degree blended along one axis, on which f + d u is the place.

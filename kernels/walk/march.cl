@@ -5,11 +5,8 @@
 
 static inline floatW march_integral(const Medium* medium, __global const Voxel* voxels, const MediumRay* ray,
                                     const Segments* at) {
-  const floatW place = lanes_load(at->place);
-  const floatW density = medium->interpolation == INTERPOLATION_NEAREST
-                             ? density_nearest(voxels, ray, at, place, WITHIN_BRICK)
-                             : density_trilinear(voxels, ray, at, place, WITHIN_BRICK);
-  const floatW size = lanes_load(at->size);
+  const Lookup l = lookup_at(ray, at, lanes_load(at->place), WITHIN_BRICK);
+  const floatW density = density_of(at, lookup_value(medium, voxels, &l)), size = lanes_load(at->size);
   return lanes_select((floatW)(0.0f), density * size, size > 0.0f);
 }
 

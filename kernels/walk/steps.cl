@@ -1,5 +1,5 @@
-// Placement of the marchers: n equal steps over the whole stretch inside the medium, each sampled once, W side by side:
-// which brick a sample lies in follows from where it is, and only empty stretches are walked through.
+// Placement of the marchers: n equal steps over the whole ray inside the medium, each sampled once, W side by side.
+// Which brick a sample lies in follows from where it is; bricks are walked through only where W samples find none.
 #ifndef BRUME_WALK_STEPS_CL
 #define BRUME_WALK_STEPS_CL
 #include "density/dda.cl"
@@ -15,7 +15,7 @@ typedef struct {
 #endif
 } Steps;
 
-// n = ceil(length / step - 1/1024): the step is renormalised to length / n (ARCHITECTURE, Media).
+// n = ceil(length / step - 1/1024): the step is renormalised to length / n (PICTURE, Segments).
 static inline Steps steps_begin(const Medium* medium, const MediumRay* ray, Random random, float share, float jitter) {
   Steps s;
   s.share = share;
@@ -42,52 +42,90 @@ static inline floatW steps_place(const Steps* s, floatW number) {
   return (number + share) * s->size;
 }
 
-static inline floatW steps_brick(floatW place, float origin, float dir, int bricks) {
+static inline intW steps_brick(floatW place, float origin, float dir, int bricks) {
   const floatW p = mad_exact(place, (floatW)(dir), (floatW)(origin));
-  return fmin(fmax(floor(p * (1.0f / BRICK_CELLS)), (floatW)(0.0f)), (floatW)((float)(bricks - 1)));
+  return lanes_whole(p * (1.0f / BRICK_CELLS), (floatW)((float)(bricks - 1)));
 }
 
 // The first step worth a look after W steps from `next` on were all in empty bricks: the one in which the next stored
 // brick begins, or the one before.
-static inline int steps_skip(const Scene* scene, const Medium* medium, const MediumRay* ray, const Steps* s) {
+OUTLINED int steps_skip(const Scene* scene, const Medium* medium, const MediumRay* ray, const Steps* s) {
   Dda d = dda_begin(medium, ray, (float)(s->next + W - 1) * s->size);
   if (!dda_next_brick(scene, medium, &d)) return s->count;
   return max(s->next + W, (int)(d.s / s->size) - 1);
 }
 
-static inline void steps_fill(const Scene* scene, const Medium* medium, const MediumRay* ray, Steps* s, Segments* out) {
-  out->count = 0;
+// W steps side by side.
+typedef struct {
+  floatW number, place;  // s of the sample
+  intW x, y, z;          // brick of the sample
+  intW entry, used;      // its brick is stored; the entry is 0 where it is not
+} StepBatch;
+
+// The next W steps of which one is used; 0 at the end.
+__attribute__((always_inline)) static inline int steps_next(const Scene* scene, const Medium* medium,
+                                                            const MediumRay* ray, Steps* s, StepBatch* out) {
   while (s->next < s->count) {
-    const floatW number = (floatW)((float)s->next) + lanes_iota(), place = steps_place(s, number);
-    const floatW bx = steps_brick(place, ray->origin.x, ray->dir.x, medium->brick_nx);
-    const floatW by = steps_brick(place, ray->origin.y, ray->dir.y, medium->brick_ny);
-    const floatW bz = steps_brick(place, ray->origin.z, ray->dir.z, medium->brick_nz);
-    const intW x = lanes_to_int(bx), y = lanes_to_int(by), z = lanes_to_int(bz);
-    const intW entry = brick_entries(scene, medium, x, y, z);
-    const intW used = (number < (floatW)((float)s->count)) & (entry != (intW)(BRICK_EMPTY));
-    if (!lanes_any(used)) {
-      s->next = steps_skip(scene, medium, ray, s);
-      continue;
+    out->number = (floatW)((float)s->next) + lanes_iota();
+    out->place = steps_place(s, out->number);
+    out->x = steps_brick(out->place, ray->origin.x, ray->dir.x, medium->brick_nx);
+    out->y = steps_brick(out->place, ray->origin.y, ray->dir.y, medium->brick_ny);
+    out->z = steps_brick(out->place, ray->origin.z, ray->dir.z, medium->brick_nz);
+    const intW entry = brick_entries_along(scene, medium, out->x, out->y, out->z);
+    out->used = (out->number < (floatW)((float)s->count)) & (entry != (intW)(BRICK_EMPTY));
+    if (lanes_any(out->used)) {
+      out->entry = lanes_select((intW)(0), entry, out->used);
+      s->next += W;
+      return 1;
     }
-    // A lane that is not used looks into brick 0, for nothing.
-    const intW brick = lanes_select((intW)(0), entry, used);
-    lanes_store(number * s->size, out->begin);
-    lanes_store(place, out->place);
-    lanes_store(lanes_select((floatW)(0.0f), (floatW)(s->size), used), out->size);
-    lanes_store(brick_base(brick, x, y, z), out->base);
-    lanes_store(bx * BRICK_CELLS, out->x);
-    lanes_store(by * BRICK_CELLS, out->y);
-    lanes_store(bz * BRICK_CELLS, out->z);
-    out->count = (int)lanes_sum(lanes_select((floatW)(0.0f), (floatW)(1.0f), used));
+    s->next = steps_skip(scene, medium, ray, s);
+  }
+  return 0;
+}
+
+static inline int steps_used(const StepBatch* b) {
+  return (int)lanes_sum(lanes_select((floatW)(0.0f), (floatW)(1.0f), b->used));
+}
+
+static inline void steps_fill(const Scene* scene, const Medium* medium, const MediumRay* ray, Steps* s, Segments* out) {
+  StepBatch b;
+  out->count = 0;
+  if (!steps_next(scene, medium, ray, s, &b)) return;
+  lanes_store(b.number * s->size, out->begin);
+  lanes_store(b.place, out->place);
+  lanes_store(lanes_select((floatW)(0.0f), (floatW)(s->size), b.used), out->size);
+  lanes_store(brick_base(b.entry, b.x, b.y, b.z), out->base);
+  lanes_store(lanes_to_float(b.x * BRICK_CELLS), out->x);
+  lanes_store(lanes_to_float(b.y * BRICK_CELLS), out->y);
+  lanes_store(lanes_to_float(b.z * BRICK_CELLS), out->z);
+  out->count = steps_used(&b);
 #if BRUME_STORAGE == 2
-    brick_scales(scene, brick, out->zero, out->part);
+  brick_scales(scene, b.entry, out->zero, out->part);
 #endif
 #if BRUME_RANDOM
-    for (int i = 0; i < W; ++i) out->id[i] = (uint)(s->next + i);
+  for (int i = 0; i < W; ++i) out->id[i] = (uint)(s->next - W + i);
 #endif
-    s->next += W;
-    return;
+}
+
+// ∫ρ over what is left of the steps, until it is black by an extinction of `sigma`: steps_fill and march_integral
+// without the segments between them, which nobody else asks for.
+static inline float steps_total(const Scene* scene, const Medium* medium, const MediumRay* ray, Steps* s, float sigma,
+                                uint* lookups) {
+  StepBatch b;
+  float total = 0.0f;
+  while (total * sigma < TAU_STOP && steps_next(scene, medium, ray, s, &b)) {
+    const Lookup l = lookup_from(ray, b.place, lanes_to_float(b.x * BRICK_CELLS), lanes_to_float(b.y * BRICK_CELLS),
+                                 lanes_to_float(b.z * BRICK_CELLS), b.entry * BRICK_VALUES, WITHIN_BRICK);
+    floatW density = lookup_value(medium, scene->voxels, &l);
+#if BRUME_STORAGE == 2
+    float zero[W], part[W];
+    brick_scales(scene, b.entry, zero, part);
+    density = mad_exact(density, lanes_load(part), lanes_load(zero));
+#endif
+    total += lanes_sum(lanes_select((floatW)(0.0f), density * s->size, b.used));
+    *lookups += (uint)steps_used(&b);
   }
+  return total;
 }
 
 #endif

@@ -52,7 +52,13 @@ static inline void track_fill(const Scene* scene, const Medium* medium, Dda* d, 
   int n = 0;
   while (n < W) {
     if (!(d->s < d->brick_end) && !dda_next_brick(scene, medium, d)) {
-      if (t->trailing) track_emit(d, t, 0.0f, 0.0f, n++, out);
+      if (t->trailing) {
+        track_emit(d, t, 0.0f, 0.0f, n, out);
+        // The walk has left the last brick: its next cells are not those of any, and may lie outside of all voxels.
+        out->base[n] = 0;
+        out->x[n] = out->y[n] = out->z[n] = 0.0f;
+        ++n;
+      }
       t->trailing = 0;
       break;
     }

@@ -86,6 +86,14 @@ static inline floatW walk_integral(const Scene* scene, const Medium* medium, con
   return (floatW)(0.0f);
 }
 
+// The same, and the share of it that lies about the second of two points: even where a rule knows no more.
+static inline floatW walk_integral_shares(const Scene* scene, const Medium* medium, const MediumRay* ray,
+                                          const Segments* at, floatW* second) {
+  if (RULE_IS(medium, GAUSS2)) return dda_gauss2_shares(scene->voxels, ray, at, second);
+  *second = (floatW)(0.5f);
+  return walk_integral(scene, medium, ray, at);
+}
+
 static inline uint walk_lookups(const Medium* medium, const Segments* at) {
 #define RULE(id, function, lookups) \
   if (RULE_IS(medium, id)) return (uint)at->count * (lookups);
@@ -105,12 +113,14 @@ static inline uint walk_id(const Medium* medium, const Segments* at, int i) {
 #define walk_id(medium, at, i) 0
 #endif
 
-// ∫ρ over the whole stretch, not for trackers; the rest is left out once it is black by an extinction of `sigma`.
+// ∫ρ over the whole ray inside the medium, not for trackers; the rest is left out once it is black by an extinction of
+// `sigma`.
 static inline float walk_total(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random,
                                float sigma, uint* lookups) {
   if (!(ray->length > 0.0f)) return 0.0f;
   if (RULE_IS(medium, PRODUCT)) return homogeneous_total(medium, ray);
   Walk walk = walk_begin(medium, ray, random, 1);
+  if (WALKED_IS(medium, STEPS)) return steps_total(scene, medium, ray, &walk.steps, sigma, lookups);
   Segments at;
   float total = 0.0f;
   while (total * sigma < TAU_STOP) {  // one call of walk_next: every call site is compiled anew

@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "check/check_parts.hpp"
-#include "flat/flatten.hpp"
+#include "plan/planned_scene.hpp"
 #include "reference/medium.hpp"
 #include "scene/scene_reader.hpp"
 

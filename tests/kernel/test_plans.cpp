@@ -3,6 +3,7 @@
 
 #include "check/check_images.hpp"
 #include "flat/flatten.hpp"
+#include "plan/planned_scene.hpp"
 #include "render/device_scene.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene_reader.hpp"
@@ -65,6 +66,31 @@ TEST(Plans, TakeOnlyWhatIsTheirOwn) {
   EXPECT_LT(context.allocated_bytes() - bytes, 400000u);
   EXPECT_EQ(context.programs().size(), programs);
   EXPECT_EQ(loaded.costs().size(), 1u);
+}
+
+// What a light grid holds depends on the plan alone: a second render, and one that goes on, find it filled.
+TEST(Plans, FillTheirLightGridsOnce) {
+  Context context(device_choose("portable computing language"));
+  const PlannedScene scene =
+      flatten(described(R"("shadow": "grid", "light_grid": 16)"), {bvh_width_for(LANES), {}, false});
+  Renderer renderer(context, scene, {LANES, false, 0});
+  const auto points = [&] { return renderer.stats().passes.at(0).items; };
+  double all = 0;
+  for (const LightGrid& grid : scene.light_grids)
+    all += double(grid.columns_u) * grid.columns_v * (grid.column_step > 0 ? 1 : grid.nk);
+  Film stopped({24, 16}), first({24, 16}), second({24, 16});
+  EXPECT_FALSE(renderer.render(stopped, [](double) { return false; }));
+  EXPECT_GT(points(), 0);
+  EXPECT_LT(points(), all);
+  EXPECT_TRUE(renderer.render(first, [](double) { return true; }));
+  EXPECT_EQ(points(), all);
+  EXPECT_TRUE(renderer.render(second, [](double) { return true; }));
+  EXPECT_EQ(points(), all);
+  const Film alone = render_film(context, scene, LANES);
+  for (std::size_t i = 0; i < alone.pixels().size(); ++i) {
+    ASSERT_EQ(first.pixels()[i].radiance.y, alone.pixels()[i].radiance.y);
+    ASSERT_EQ(second.pixels()[i].radiance.y, alone.pixels()[i].radiance.y);
+  }
 }
 
 }  // namespace

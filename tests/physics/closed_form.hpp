@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "check/check_images.hpp"
-#include "flat/flatten.hpp"
+#include "plan/planned_scene.hpp"
 #include "reference/render.hpp"
 #include "reference/sampling.hpp"
 #include "render/renderer.hpp"

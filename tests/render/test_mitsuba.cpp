@@ -9,7 +9,7 @@
 #include "check/check_images.hpp"
 #include "film/film_compare.hpp"
 #include "film/film_write.hpp"
-#include "flat/flatten.hpp"
+#include "plan/planned_scene.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene_reader.hpp"
 

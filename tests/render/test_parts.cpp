@@ -105,7 +105,7 @@ TEST_F(Parts, WhatDoesNotBelongTogetherIsRefusedByName) {
   write("cut.exr", whole.substr(0, whole.size() / 2));
   refused("cut.exr", "cut.exr: cannot be read");
   expect_refused("merge a.exr over.exr -o a.exr", 2, "is the same file as the part");
-  for (const std::string other : {"seed.exr", "spp.exr", "size.exr", "scene.exr", "plain.exr", "cut.exr"})
+  for (const std::string other : {"seed.exr", "size.exr", "scene.exr", "plain.exr", "cut.exr"})
     expect_refused("render a.json -o b.png --quiet --resume " + other, 2, other + ": ");
 }
 
@@ -128,6 +128,18 @@ TEST_F(Parts, OnlyPartialFilesHoldSums) {
   EXPECT_TRUE(holds("--crop 0,0,3,3"));
   EXPECT_FALSE(holds("--crop 0,0,3,3 --trim"));
   EXPECT_FALSE(holds("--samples 0-1", "b.png"));
+}
+
+TEST_F(Parts, ResumeGoesOnToMoreSamples) {
+  render("--spp 3 -o a.exr --partial");
+  render("--resume a.exr -o b.exr --partial --stats s.json");  // 8 samples
+  EXPECT_THAT(text(folder_ / "s.json"), HasSubstr("\"primary\": " + std::to_string(12 * 8 * 5) + ".0"));
+  render("-o whole.exr --partial");
+  expect_same("b.exr", "whole.exr");
+  EXPECT_EQ(merge("b.exr -o c.exr"), "");  // nothing is missing of 8
+  expect_refused("render a.json -o c.exr --spp 2 --resume a.exr", 2, "brume:spp is 3 and not 2");
+  render("--spp 1 -o centre.exr --partial");
+  expect_refused("render a.json -o c.exr --resume centre.exr", 2, "brume:spp is 1 and not 8");
 }
 
 TEST_F(Parts, ResumeRendersOnlyWhatIsMissing) {

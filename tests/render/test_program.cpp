@@ -175,11 +175,11 @@ TEST_F(Render, SecondInterruptEndsAtOnce) {
 
 TEST_F(Render, AloneSaysWhatIsMissing) {
   write("a.json", SCENE);
-  const Outcome r = run("render a.json -o a.png", "", "sh -c 'mkdir b && cp \"$0\" b && b/brume \"$@\"'");
+  const Outcome r = run("render a.json -o a.jpg", "", "sh -c 'mkdir b && cp \"$0\" b && b/brume \"$@\"'");
   EXPECT_EQ(r.exit_code, 1);
   EXPECT_THAT(r.err, testing::HasSubstr("images need the program"));
   EXPECT_THAT(r.err, testing::HasSubstr("b/brume-image"));
-  EXPECT_FALSE(files().count("a.png"));
+  EXPECT_FALSE(files().count("a.jpg"));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "check/check_images.hpp"
-#include "flat/flatten.hpp"
+#include "plan/planned_scene.hpp"
 #include "reference/render.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene_reader.hpp"

@@ -1,0 +1,196 @@
+// See knobs.hpp.
+#include "chart/knobs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "base/number_text.hpp"
+#include "flat/media_methods.hpp"
+#include "scene/families.hpp"
+
+namespace brume {
+
+namespace {
+
+// Which methods a sweep is for.
+bool any_method(const MethodRow&) { return true; }
+bool draws_nothing(const MethodRow& row) { return row.draws == DRAWS_NOTHING; }
+bool draws(const MethodRow& row) { return row.draws != DRAWS_NOTHING; }
+// Light grids serve all that do not collide; a constant density needs none.
+bool walks(const MethodRow& row) { return row.draws != DRAWS_COLLISIONS && row.rule != RULE_PRODUCT; }
+bool samples_middles(const MethodRow& row) { return walks(row) && row.draws == DRAWS_NOTHING && row.share == 0.5f; }
+bool reads_voxels(const MethodRow& row) { return draws_nothing(row) && row.rule != RULE_PRODUCT; }
+
+constexpr int LIGHT_GRIDS[] = {16, 32, 64, 128};
+constexpr int ONE_LIGHT_GRID = 64;  // the default of render.light_grid
+constexpr int SPPS[] = {1, 4, 16, 64};
+constexpr int PLAIN_SPPS[] = {1, 2, 4, 8, 16, 32, 64};  // without media nothing else can be turned
+constexpr int COARSEST = 3, FINEST = 10;                // steps of 2^-COARSEST to 2^-FINEST of the side
+constexpr int FINEST_CONSTANT = 7;
+
+enum Steps { COARSE_STEP, CELL_STEP, ALL_STEPS };
+enum Grids { TRACED, ONE_GRID, ALL_GRIDS };
+enum Spps { SCENE_SPP, ALL_SPPS };
+struct Sweep {
+  bool (*fits)(const MethodRow&);
+  Steps steps;
+  Grids grids;
+  Spps spps;
+  int storage, rule;
+};
+constexpr Sweep SWEEPS[] = {
+    {any_method, ALL_STEPS, TRACED, SCENE_SPP, STORAGE_F32, IN_SCATTERING_SEGMENT},
+    {draws, COARSE_STEP, TRACED, ALL_SPPS, STORAGE_F32, IN_SCATTERING_SEGMENT},
+    {walks, ALL_STEPS, ONE_GRID, SCENE_SPP, STORAGE_F32, IN_SCATTERING_SEGMENT},
+    {samples_middles, ALL_STEPS, ALL_GRIDS, SCENE_SPP, STORAGE_F32, IN_SCATTERING_SEGMENT},
+    {draws_nothing, ALL_STEPS, TRACED, SCENE_SPP, STORAGE_F32, IN_SCATTERING_RECTANGLE},
+    {draws_nothing, ALL_STEPS, TRACED, SCENE_SPP, STORAGE_F32, IN_SCATTERING_GAUSS2},
+    {reads_voxels, CELL_STEP, ONE_GRID, SCENE_SPP, STORAGE_F16, IN_SCATTERING_SEGMENT},
+    {reads_voxels, CELL_STEP, ONE_GRID, SCENE_SPP, STORAGE_U8, IN_SCATTERING_SEGMENT},
+};
+
+int finest_step(const KnobLimits& limits) {
+  if (limits.cells == 0) return FINEST_CONSTANT;
+  const int half_a_cell = static_cast<int>(std::lround(std::log2(limits.cells))) + 1;
+  return std::clamp(half_a_cell, COARSEST + 3, FINEST);
+}
+
+// As powers of 1/2. Where other knobs are turned: about a cell, and 4 where many samples are to mend a coarse step.
+std::vector<double> steps_of(const MethodRow& row, Steps steps, const KnobLimits& limits) {
+  if (row.placement != PLACEMENT_STEPS) return {0};
+  const int finest = finest_step(limits);
+  if (steps == CELL_STEP) return {std::exp2(1 - finest)};
+  if (steps == COARSE_STEP) return {std::exp2(3 - finest)};
+  return steps_halving(limits, 0);
+}
+
+std::vector<int> grids_of(Grids grids, const KnobLimits& limits) {
+  if (grids == TRACED) return {0};
+  if (!limits.grids) return {};
+  if (grids == ONE_GRID) return {ONE_LIGHT_GRID};
+  return {std::begin(LIGHT_GRIDS), std::end(LIGHT_GRIDS)};
+}
+
+void sweep_add(const Sweep& sweep, int method, const KnobLimits& limits, int spp, std::set<std::string>& known,
+               std::vector<Knobs>& list) {
+  const MethodRow row = method_row(method);
+  if (!sweep.fits(row)) return;
+  const std::vector<int> spps =
+      sweep.spps == SCENE_SPP ? std::vector<int>{spp} : std::vector<int>(std::begin(SPPS), std::end(SPPS));
+  // Of a scene without light grids storage is told by tracing.
+  const bool stored = sweep.storage != STORAGE_F32;
+  for (const int grid : grids_of(stored && !limits.grids ? TRACED : sweep.grids, limits))
+    for (const double step : steps_of(row, sweep.steps, limits))
+      for (const int samples : spps) {
+        const Knobs knobs{method, step, grid, sweep.storage, sweep.rule, samples};
+        if (known.insert(knobs_id(knobs)).second) list.push_back(knobs);
+      }
+}
+
+}  // namespace
+
+std::string knobs_method(const Knobs& knobs) {
+  return knobs.method == METHOD_NONE ? "none" : std::string(family_name(method_family(), knobs.method));
+}
+
+std::string knobs_id(const Knobs& knobs) {
+  std::string id = knobs_method(knobs);
+  if (knobs.method != METHOD_NONE) {
+    if (knobs.step > 0) id += "-step" + number_text(knobs.step);
+    id += knobs.light_grid > 0 ? "-grid" + std::to_string(knobs.light_grid) : "-trace";
+    id += "-" + std::string(family_name(storage_family(), knobs.storage));
+    id += "-" + std::string(family_name(in_scattering_family(), knobs.rule));
+  }
+  return id + "-spp" + std::to_string(knobs.spp);
+}
+
+SceneDesc knobs_apply(const SceneDesc& desc, const Knobs& knobs) {
+  SceneDesc set = desc;
+  set.film.spp = knobs.spp;
+  for (MediumDesc& medium : set.media) medium.method.reset(), medium.step.reset();
+  if (knobs.method == METHOD_NONE) return set;
+  set.render.method = knobs.method;
+  if (knobs.step > 0) set.render.step = knobs.step;
+  set.render.shadow = knobs.light_grid > 0 ? SHADOW_GRID : SHADOW_TRACE;
+  if (knobs.light_grid > 0) set.render.light_grid = knobs.light_grid;
+  set.render.storage = knobs.storage;
+  set.render.in_scattering = knobs.rule;
+  return set;
+}
+
+std::vector<int> methods_parse(const std::string& text) {
+  std::vector<int> methods;
+  std::istringstream names(text);
+  for (std::string name; std::getline(names, name, ',');) {
+    const FamilyRow* row = family_find(method_family(), name);
+    if (!row) throw InputError("--methods: unknown method '" + name + "'; known: " + family_names(method_family()));
+    methods.push_back(row->id);
+  }
+  return methods;
+}
+
+std::vector<int> methods_fitting(const SceneDesc& desc, const std::vector<int>& wanted) {
+  std::vector<int> fitting;
+  std::string names;
+  for (const FamilyRow& row : method_family()) {
+    const SceneDesc set = knobs_apply(desc, {row.id});
+    const std::vector<MediumRow> media = media_rows(set);
+    const bool fits = std::any_of(media.begin(), media.end(),
+                                  [&](const MediumRow& m) { return method_resolve(set, *m.desc) == row.id; });
+    if (!fits) continue;
+    fitting.push_back(row.id);
+    names += (names.empty() ? "" : ", ") + std::string(row.name);
+  }
+  if (wanted.empty()) return fitting;
+  for (const int method : wanted)
+    if (std::find(fitting.begin(), fitting.end(), method) == fitting.end())
+      throw InputError("--methods: '" + std::string(family_name(method_family(), method)) + "' fits no medium of " +
+                       desc.file.string() + (names.empty() ? ", which has none" : "; these do: " + names));
+  fitting.erase(std::remove_if(fitting.begin(), fitting.end(),
+                               [&](int m) { return std::find(wanted.begin(), wanted.end(), m) == wanted.end(); }),
+                fitting.end());
+  return fitting;
+}
+
+std::vector<Knobs> knobs_list(const std::vector<int>& methods, const KnobLimits& limits, int spp) {
+  std::vector<Knobs> list;
+  if (methods.empty())
+    for (const int samples : PLAIN_SPPS) list.push_back({METHOD_NONE, 0, 0, STORAGE_F32, 0, samples});
+  std::set<std::string> known;
+  for (const Sweep& sweep : SWEEPS)
+    for (const int method : methods) sweep_add(sweep, method, limits, spp, known, list);
+  return list;
+}
+
+std::vector<double> steps_halving(const KnobLimits& limits, int beyond) {
+  std::vector<double> all;
+  for (int k = COARSEST; k <= finest_step(limits) + beyond; ++k) all.push_back(std::exp2(-k));
+  return all;
+}
+
+SceneDesc exact_desc(const SceneDesc& desc, int spp) {
+  constexpr double FINE_CONSTANT_STEP = 1.0 / 512;  // for light that changes inside of a constant medium
+  constexpr std::size_t LIGHTS_ALL = 256;           // more are chosen among by default too
+  SceneDesc exact = knobs_apply(desc, {METHOD_NONE, 0, 0, STORAGE_F32, 0, spp});
+  exact.render.method = METHOD_AUTO;
+  exact.render.step = FINE_CONSTANT_STEP;
+  exact.render.shadow = SHADOW_TRACE;
+  exact.render.storage = STORAGE_F32;
+  exact.render.in_scattering = IN_SCATTERING_SEGMENT;
+  exact.render.roulette = 0;
+  if (exact.lights.size() <= LIGHTS_ALL) exact.render.light_samples = 0;
+  return exact;
+}
+
+SceneDesc exact_desc_fine(const SceneDesc& desc, int spp, const KnobLimits& limits) {
+  constexpr double STEPS_IN_A_CELL = 4;
+  SceneDesc exact = exact_desc(desc, spp);
+  exact.render.method = METHOD_MARCH_MIDPOINT;
+  exact.render.step = 1 / (STEPS_IN_A_CELL * limits.cells);
+  return exact;
+}
+
+}  // namespace brume

@@ -1,0 +1,63 @@
+// See picture_goal.hpp.
+#include "cli/picture_goal.hpp"
+
+#include "base/number_text.hpp"
+#include "pilot/goal.hpp"
+#include "pilot/pilot.hpp"
+#include "scene/families.hpp"
+
+namespace brume {
+
+namespace {
+
+std::string metric_name(const RenderDesc& goal) {
+  return std::string(family_name(error_metric_family(), goal.error_metric));
+}
+
+// "march_midpoint, step 0.0156, light grid 64"
+std::string knobs_text(const Knobs& knobs) {
+  std::string text = knobs_method(knobs);
+  if (knobs.step > 0) text += ", step " + number_text(knobs.step, 3);
+  return text + (knobs.light_grid > 0 ? ", light grid " + std::to_string(knobs.light_grid) : ", light traced");
+}
+
+std::string out_of_reach(const RenderDesc& goal, const PilotTrial& trial) {
+  if (goal.max_error)
+    return "max_error " + number_text(*goal.max_error) + " is out of reach; the closest, " + knobs_text(trial.knobs) +
+           ", has a " + metric_name(goal) + " of " + number_text(error_in(trial.error, goal.error_metric), 2);
+  return "time_budget " + number_text(*goal.time_budget) + " s is too little; the quickest, " +
+         knobs_text(trial.knobs) + ", takes about " + number_text(trial.seconds, 2) + " s";
+}
+
+}  // namespace
+
+SceneDesc picture_for_goal(const RenderArguments& arguments, const SceneDesc& desc, LoadedScene& loaded,
+                           Context& context, int lanes, std::vector<std::string>& notes,
+                           const std::function<void(const std::string&)>& say) {
+  if (!desc.render.has_goal()) return desc;
+  const std::vector<int> wanted = arguments.method == "auto" ? std::vector<int>{} : methods_parse(arguments.method);
+  const std::vector<int> methods = methods_fitting(desc, wanted);
+  if (methods.empty()) {
+    notes.push_back("the scene has no media, there is nothing to choose for max_error or time_budget");
+    return desc;
+  }
+  // One program for all candidates, whatever they need.
+  ChartScene scene(desc, loaded, context, {lanes, true, arguments.crop_box()});
+  const PilotChoice choice = Pilot(scene, methods).choose(desc.render);
+  const PilotTrial& trial = choice.trial;
+  if (!choice.reached) notes.push_back(out_of_reach(desc.render, trial));
+  say("chosen of " + std::to_string(choice.trials) + " settings in " + number_text(choice.seconds, 2) +
+      " s: " + knobs_text(trial.knobs) + "; expected " + metric_name(desc.render) + " " +
+      number_text(error_in(trial.error, desc.render.error_metric), 2));
+  return knobs_apply(desc, trial.knobs);
+}
+
+std::string goal_missed_note(const RenderDesc& goal, const WitnessError& error) {
+  if (!goal.max_error || error.pixels == 0) return "";
+  const double is = error_in(error, goal.error_metric);
+  if (is <= *goal.max_error) return "";
+  return "max_error " + number_text(*goal.max_error) + " is not reached: witnesses say " + metric_name(goal) + " " +
+         number_text(is, 2);
+}
+
+}  // namespace brume

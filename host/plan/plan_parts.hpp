@@ -1,0 +1,23 @@
+// The parts of plan_render().
+#pragma once
+#include "flat/flat_scene.hpp"
+#include "plan/render_plan.hpp"
+#include "scene/scene_desc.hpp"
+
+namespace brume {
+
+// Camera, film and what "render" says of rays.
+void plan_camera(const SceneDesc& desc, const FlatScene& scene, Frame& frame);
+
+// How many lights a point asks: render.light_samples, see shared/light.h. Throws InputError where they are too many.
+int plan_light_picks(const SceneDesc& desc, const FlatScene& scene);
+
+// The light grids of a medium to which they pay, one per light (shared/light_grid.h): the number of the first, -1 for
+// none. Needs the medium's geometry and coefficients, and the lights.
+// Throws InputError where they have more entries than kernels count.
+int light_grids_append(const SceneDesc& desc, const Medium& medium, const FlatScene& scene, RenderPlan& plan);
+
+// Throws InputError where the steps of marched media ask for more lookups than can be meant.
+void work_check(const SceneDesc& desc, const FlatScene& scene, const RenderPlan& plan);
+
+}  // namespace brume

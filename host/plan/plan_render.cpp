@@ -1,0 +1,93 @@
+// See render_plan.hpp and plan_parts.hpp.
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "flat/media_methods.hpp"
+#include "plan/plan_parts.hpp"
+
+namespace brume {
+
+namespace {
+
+void crop_set(Frame& frame, const std::array<int, 4>& crop, glm::ivec2 size) {
+  const bool whole = crop[0] == crop[2] && crop[1] == crop[3];
+  frame.crop_x0 = whole ? 0 : crop[0];
+  frame.crop_y0 = whole ? 0 : crop[1];
+  frame.crop_x1 = whole ? size.x : crop[2];
+  frame.crop_y1 = whole ? size.y : crop[3];
+  if (frame.crop_x0 < 0 || frame.crop_y0 < 0 || frame.crop_x0 >= frame.crop_x1 || frame.crop_y0 >= frame.crop_y1 ||
+      frame.crop_x1 > size.x || frame.crop_y1 > size.y)
+    throw InputError("--crop: expected X0,Y0,X1,Y1 with 0 <= X0 < X1 <= " + std::to_string(size.x) +
+                     " and 0 <= Y0 < Y1 <= " + std::to_string(size.y));
+}
+
+// The rate at which trackers collide, per density: the largest extinction. A medium that only glows has none: eight
+// collisions on the longest way (flat units) through its densest part then, else its light would never be sampled.
+float track_sigma_of(const MediumBody& m, const MediumSize& size) {
+  const double largest = std::max({m.sigma_a.x + m.sigma_s.x, m.sigma_a.y + m.sigma_s.y, m.sigma_a.z + m.sigma_s.z});
+  return static_cast<float>(largest > 0 || !(size.densest > 0) ? largest : 8 / (size.longest * size.densest));
+}
+
+bool is_constant(const FlatScene& flat, std::size_t medium) {
+  return flat.placed[static_cast<std::size_t>(medium_placed(flat.media[medium]))].grid < 0;
+}
+
+MediumWalk walk_plan(const SceneDesc& desc, const MediumDesc& m, const FlatScene& flat, std::size_t medium) {
+  const int method = method_resolve(desc, m);
+  if ((method == METHOD_HOMOGENEOUS) != is_constant(flat, medium))
+    throw InputError(desc.file.string() + ": " + m.place + ": the scene was flattened for another kind of method");
+  MediumWalk walk{method, 0, 0, -1};
+  walk.step = static_cast<float>(m.step.value_or(desc.render.step) * flat.sizes[medium].longest);
+  if (!is_constant(flat, medium)) walk.track_sigma = track_sigma_of(flat.media[medium], flat.sizes[medium]);
+  return walk;
+}
+
+void plan_media(const SceneDesc& desc, const FlatScene& flat, RenderPlan& plan) {
+  const std::vector<MediumRow> rows = media_rows(desc);
+  media_check(desc, rows, plan.plan_notes);
+  if (rows.size() != flat.media.size())
+    throw InputError(desc.file.string() + ": /media: the scene was flattened with others");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    plan.walks.push_back(walk_plan(desc, *rows[i].desc, flat, i));
+    plan.walks.back().light_grids = light_grids_append(desc, medium_of(flat, plan.walks.back(), i), flat, plan);
+    plan.draws |= 1u << method_draws(plan.walks.back().method);
+  }
+  plan.frame.takes_ends = !((plan.draws >> DRAWS_COLLISIONS) & 1u);
+}
+
+}  // namespace
+
+int plan_light_picks(const SceneDesc& desc, const FlatScene& scene) {
+  const int lights = static_cast<int>(scene.lights.size()), wanted = desc.render.light_samples;
+  const int picks = wanted == LIGHT_SAMPLES_AUTO ? (lights <= LIGHTS_ENUMERATED ? lights : LIGHT_PICKS)
+                                                 : (wanted == 0 ? lights : std::min(wanted, lights));
+  if (picks > LIGHT_PICKS_MAX)
+    throw InputError(desc.file.string() + ": /render/light_samples: 0 asks all " + std::to_string(lights) +
+                     " lights at every point; at most " + std::to_string(LIGHT_PICKS_MAX) + " are allowed");
+  return picks;
+}
+
+Medium medium_of(const FlatScene& flat, const MediumWalk& walk, std::size_t medium) {
+  const PlacedGrid& placed = flat.placed[static_cast<std::size_t>(medium_placed(flat.media[medium]))];
+  static constexpr BrickGrid NONE{};
+  const BrickGrid& grid = placed.grid < 0 ? NONE : flat.grids[static_cast<std::size_t>(placed.grid)];
+  return medium_join(&grid, &placed, &flat.media[medium], &walk);
+}
+
+RenderPlan plan_render(const SceneDesc& desc, const FlatScene& flat, const PlanOptions& options) {
+  RenderPlan plan;
+  plan_camera(desc, flat, plan.frame);
+  plan.frame.light_count = static_cast<int>(flat.lights.size());
+  plan.frame.light_picks = plan_light_picks(desc, flat);
+  plan.frame.shape_count = static_cast<int>(flat.shapes.size());
+  plan.frame.triangle_count = static_cast<int>(flat.triangles.size());
+  plan.frame.medium_count = static_cast<int>(flat.media.size());
+  plan.frame.hides_background = options.hide_background;
+  plan.storage = desc.render.storage;
+  plan_media(desc, flat, plan);
+  crop_set(plan.frame, options.crop, desc.film.size);
+  work_check(desc, flat, plan);
+  return plan;
+}
+
+}  // namespace brume

@@ -1,0 +1,79 @@
+// FNV-1a [Fowler91] over words of 32 bits, of which all hashed structs consist: no padding.
+#include "plan/scene_hash.hpp"
+
+#include <cstddef>
+#include <cstring>
+#include <type_traits>
+
+namespace brume {
+
+namespace {
+
+class Hash {
+ public:
+  void add(const void* data, std::size_t words) {
+    const char* at = static_cast<const char*>(data);
+    for (std::size_t i = 0; i < words; ++i) {
+      std::uint32_t word;
+      std::memcpy(&word, at + i * sizeof word, sizeof word);
+      value_ = (value_ ^ word) * 0x100000001b3u;
+      value_ ^= value_ >> 32;  // high bits of a word reach the low ones, as with single bytes
+    }
+  }
+  template <class T>
+  void add(const T& value) {
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 4 == 0);
+    add(&value, sizeof(T) / 4);
+  }
+  template <class T>
+  void add(const std::vector<T>& values) {
+    static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % 4 == 0);
+    add(std::uint64_t(values.size()));
+    add(values.data(), values.size() * (sizeof(T) / 4));
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325u;
+};
+
+Frame without_own_keys(Frame frame) {
+  frame.crop_x0 = frame.crop_y0 = frame.crop_x1 = frame.crop_y1 = 0;
+  frame.camera.width = frame.camera.height = frame.camera.spp = 0;
+  frame.seed = 0;
+  return frame;
+}
+
+}  // namespace
+
+std::uint64_t scene_hash(const PlannedScene& scene) {
+  // All fields by name, so that a new one does not compile until it is decided here.
+  const auto& [origin, unit, bounds, lights, light_shares, materials, textures, texels, shapes, triangles, bvh_width,
+               bvh_nodes, bvh_links, bvh_blocks, bvh_ids, grids, placed, media, sizes, bricks, brick_ranges, voxels,
+               color_tau, name, notes] = static_cast<const FlatScene&>(scene);
+  const auto& [frame, walks, draws, light_grids, light_entries, storage, stored, plan_notes] =
+      static_cast<const RenderPlan&>(scene);
+  Hash hash;
+  hash.add(origin);
+  hash.add(unit);
+  hash.add(without_own_keys(frame));
+  hash.add(lights);
+  hash.add(light_shares);
+  hash.add(materials);
+  hash.add(textures);
+  hash.add(texels);
+  hash.add(shapes);
+  hash.add(triangles);
+  hash.add(grids);
+  hash.add(placed);
+  hash.add(media);
+  hash.add(walks);
+  hash.add(bricks);
+  hash.add(brick_ranges);
+  hash.add(voxels);
+  hash.add(storage);
+  hash.add(light_grids);
+  return hash.value();
+}
+
+}  // namespace brume

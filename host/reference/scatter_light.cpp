@@ -1,0 +1,135 @@
+// See scatter_light.hpp. Written from PICTURE.md, one segment after the other.
+#include "reference/scatter_light.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "reference/light_grid.hpp"
+#include "reference/phase.hpp"
+#include "shared/method.h"
+
+namespace brume::reference {
+namespace {
+
+static_assert(IN_SCATTERING_COUNT == 3, "gain_of and source_at know all");
+
+// Mean of exp(-t) over [0, x], also for x < 0.
+double mean_exp(double x) { return x == 0 ? 1 : -std::expm1(-x) / x; }
+
+// ∫ exp(-(a + (b - a) u)) du over [0, 1].
+double mean_between(double a, double b) { return std::exp(-std::min(a, b)) * mean_exp(std::abs(b - a)); }
+
+// τ of all media from a point in a medium to a light, by its light grid if it has one.
+dvec3 light_depth(const Context& context, int index, std::size_t light, const dvec3& point, const RandomStream& random,
+                  double& lookups) {
+  const Medium& medium = context.media[static_cast<std::size_t>(index)];
+  const LightDepths& depths = context.light_depths[static_cast<std::size_t>(index)];
+  if (depths.tau.empty()) {
+    const LightSample sample = light_at(context.scene.lights[light], point);
+    return media_tau(context, {point, -sample.travel}, sample.distance, random, lookups);
+  }
+  ++lookups;
+  return light_grid_tau(depths, light_grid_of(context.scene, medium, light), medium, light, point);
+}
+
+// Mean of T to a light, that of shadow ray n, over a segment, weighted with the segment's own ρT.
+dvec3 light_transmittance(const Context& context, const Segment& at, std::size_t light, uint n, const RayD& ray,
+                          double& lookups) {
+  const auto depth = [&](double t, uint stream) {
+    return light_depth(context, at.medium, light, ray.at(t), at.random.child(stream + n), lookups);
+  };
+  if (!at.dense) return transmittance_of(depth(at.t, STREAM_LIGHT));
+  // from inside both ends, of which one may lie on a face of a medium along which light travels, and on in a straight
+  // line
+  const double inset = 1.0 / 16384, length = at.end - at.begin;
+  const dvec3 near = depth(at.begin + inset * length, STREAM_LIGHT),
+              far = depth(at.end - inset * length, STREAM_LIGHT_END), slope = (far - near) / (1 - 2 * inset);
+  const dvec3 begin = glm::max(near - inset * slope, 0.0), end = at.depth + glm::max(far + inset * slope, 0.0);
+  dvec3 mean;
+  for (int c = 0; c < 3; ++c) mean[c] = mean_between(begin[c], end[c]) / mean_between(0, at.depth[c]);
+  return mean;
+}
+
+// E · V · p of a light at t, and into shadow_key whether a surface keeps it from there.
+dvec3 arriving_at(const Context& context, const Segment& at, std::size_t light, double t, const RayD& ray,
+                  Scattered& result) {
+  const Medium& medium = context.media[static_cast<std::size_t>(at.medium)];
+  const dvec3 point = ray.at(t), nothing(0);
+  const Arrival arrival = light_arrival(context, light, point, point, {}, result.lookups, &nothing);
+  if (!arrival.light.shines()) return nothing;
+  if (arrival.blocked) result.shadow_key += static_cast<uint>(light + 1);
+  if (arrival.irradiance == nothing) return nothing;
+  return arrival.irradiance * phase_eval(medium.phase, medium.g, glm::dot(arrival.light.travel, -ray.dir));
+}
+
+// PICTURE, Two points: c(x), by which a sum over two points of what falls by exp(-x) falls short of the integral.
+// Its logarithm, since it grows as exp(FIRST_POINT x).
+double bend_log(double x) {
+  const double y = std::abs(x);
+  return FIRST_POINT * y + std::log(2 * mean_exp(y) / (1 + std::exp(-y / std::sqrt(3.0))));
+}
+
+// One channel of shadow ray n: what counts of the light at both points.
+std::array<double, 2> points_weights(double depth, double second, double near, double far, bool bends) {
+  const double limit = std::min(near, far) / FIRST_POINT;
+  const double slope = bends ? std::clamp(std::sqrt(3.0) * (far - near), -limit, limit) : 0;
+  const double lift = bend_log(depth + slope) - bend_log(depth);
+  const double behind = second * std::exp(-depth / std::sqrt(3.0)), share = behind / (1 - second + behind);
+  return {(1 - share) * std::exp(lift - near), share * std::exp(lift - far)};
+}
+
+// E · V · p · T of shadow ray n over a segment, from two points.
+dvec3 light_of_points(const Context& context, const Segment& at, std::size_t light, uint n, const RayD& ray,
+                      Scattered& result) {
+  std::array<dvec3, 2> arriving, tau;
+  for (uint k = 0; k < 2; ++k) {
+    const double t = at.begin + (at.end - at.begin) * (k ? 1 - FIRST_POINT : FIRST_POINT);
+    arriving[k] = arriving_at(context, at, light, t, ray, result);
+    tau[k] = arriving[k] == dvec3(0)
+                 ? dvec3(0)
+                 : light_depth(context, at.medium, light, ray.at(t),
+                               at.random.child((k ? STREAM_LIGHT_END : STREAM_LIGHT) + n), result.lookups);
+  }
+  const bool bends = at.bends && arriving[0] != dvec3(0) && arriving[1] != dvec3(0);
+  dvec3 sum;
+  for (int c = 0; c < 3; ++c) {
+    const auto weights = points_weights(at.depth[c], at.second, tau[0][c], tau[1][c], bends);
+    sum[c] = weights[0] * arriving[0][c] + weights[1] * arriving[1][c];
+  }
+  return sum;
+}
+
+// S of a segment.
+dvec3 source_at(const Context& context, const Segment& at, const RayD& ray, Scattered& result) {
+  const Medium& medium = context.media[static_cast<std::size_t>(at.medium)];
+  dvec3 source(0);
+  if (vec_promote(medium.sigma_s) == dvec3(0)) return source;
+  uint n = 0;
+  for (const LightPick& pick : light_picks(context.scene, at.walk, at.id)) {
+    const uint shadow = n++;
+    if (at.two_points) {
+      source += pick.weight * light_of_points(context, at, pick.light, shadow, ray, result);
+      continue;
+    }
+    const dvec3 arriving = arriving_at(context, at, pick.light, at.t, ray, result);
+    if (arriving == dvec3(0)) continue;
+    source += pick.weight * arriving * light_transmittance(context, at, pick.light, shadow, ray, result.lookups);
+  }
+  return source;
+}
+
+}  // namespace
+
+double gain_of(int rule, double integral, double before, double depth) {
+  if (rule == IN_SCATTERING_RECTANGLE) return std::exp(-(before + depth)) * integral;
+  return std::exp(-before) * mean_exp(depth) * integral;
+}
+
+dvec3 sent_from(const Context& context, const Segment& at, const RayD& ray, Scattered& result) {
+  const Medium& medium = context.media[static_cast<std::size_t>(at.medium)];
+  return vec_promote(medium.sigma_s) * source_at(context, at, ray, result) + vec_promote(medium.emission);
+}
+
+}  // namespace brume::reference

@@ -1,0 +1,36 @@
+// The light that a segment of a view ray takes and sends on, by the rule of the frame. Where segments lie is the
+// business of scatter_segments.cpp.
+#pragma once
+#include <cmath>
+
+#include "reference/scatter.hpp"
+
+namespace brume::reference {
+
+inline const double FIRST_POINT = (1 - 1 / std::sqrt(3.0)) / 2;  // of two points of a segment, as a share of it
+
+// A piece of a view ray through a medium for which light is asked for: at t, where it is dense at both of its ends, or
+// at two points.
+struct Segment {
+  int medium;
+  double t;
+  RandomStream walk;    // of the walk that it belongs to,
+  uint id;              // which number it has there,
+  RandomStream random;  // and its own
+  bool dense = false;
+  double begin = 0, end = 0;
+  dvec3 depth{0};  // of all media over it
+  bool two_points = false;
+  bool bends = false;   // two points: light's depth may be taken to grow evenly between them
+  double second = 0.5;  // share of ∫ρ about the second of them
+};
+
+// ∫ρT over a segment by a row of BRUME_IN_SCATTERINGS: `integral` is ∫ρ over it, `before` the optical depth up to it
+// and `depth` that over it.
+double gain_of(int rule, double integral, double before, double depth);
+
+// What a medium sends to the origin of the ray from one segment: σs S + emission; and into shadow_key the lights that a
+// surface keeps from where it was asked.
+dvec3 sent_from(const Context& context, const Segment& at, const RayD& ray, Scattered& result);
+
+}  // namespace brume::reference

@@ -76,19 +76,21 @@ double ChartScene::cost(const Knobs& knobs) {
 std::optional<ChartPicture> ChartScene::render(const SceneDesc& set, bool timed, const Progress& go_on) {
   Stage& its = stage(set);
   const RenderPlan plan = plan_render(set, its.scene, {options_.crop, false});
-  Renderer renderer(context_, its.device, plan, {options_.lanes, options_.generic, 0});
   ChartPicture picture;
   // A program that was built for another setting took as long for this one.
   const std::string kernel = kernel_options(its.scene, plan, context_.device(), options_.lanes, options_.generic);
-  picture.build_seconds = build_seconds_.emplace(kernel, renderer.stats().kernel_build_s).first->second;
+  // Each run has a renderer of its own: one that has rendered has its light grids already.
   const auto run = [&](Film& film) {
+    Renderer renderer(context_, its.device, plan, {options_.lanes, options_.generic, 0});
+    picture.build_seconds = build_seconds_.emplace(kernel, renderer.stats().kernel_build_s).first->second;
     const Stopwatch watch;
-    return renderer.render(film, go_on) ? watch.seconds() : -1.0;
+    const bool complete = renderer.render(film, go_on);
+    picture.lookups = renderer.stats().lookups;
+    return complete ? watch.seconds() : -1.0;
   };
   Film film(set.film.size);
   const double first = run(film);
   if (first < 0) return std::nullopt;
-  picture.lookups = renderer.stats().lookups;
   const Frame& frame = plan.frame;
   picture.image = film_image(film.cut({frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1}));
   std::vector<double> times;

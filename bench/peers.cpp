@@ -52,12 +52,6 @@ double seconds_in_log(const std::filesystem::path& log) {
 
 }  // namespace
 
-std::string shell_quoted(const std::string& text) {
-  std::string word = "'";
-  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
-  return word + "'";
-}
-
 std::optional<PeerRun> vdb_render_run(const Workload& work, const std::filesystem::path& folder, bool converged) {
   const std::filesystem::path picture = folder / (work.name + (converged ? "_peer_converged.exr" : "_peer.exr"));
   const std::filesystem::path log = folder / "peer.log";

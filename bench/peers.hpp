@@ -8,9 +8,6 @@
 
 namespace brume::bench {
 
-// As one word of the shell's.
-std::string shell_quoted(const std::string& text);
-
 struct PeerRun {
   double render_s;   // by its own clock
   double process_s;  // whole process

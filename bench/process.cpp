@@ -6,7 +6,6 @@
 #include "base/command_line.hpp"
 #include "base/error.hpp"
 #include "base/file_read.hpp"
-#include "peers.hpp"
 
 namespace brume::bench {
 

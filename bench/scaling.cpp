@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/atomic_file.hpp"
+#include "base/command_line.hpp"
 #include "base/json_text.hpp"
 #include "base/statistics.hpp"
-#include "peers.hpp"
 #include "process.hpp"
 
 namespace brume::bench {

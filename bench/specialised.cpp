@@ -5,10 +5,10 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "base/command_line.hpp"
 #include "base/json_text.hpp"
 #include "base/statistics.hpp"
 #include "base/text_printable.hpp"
-#include "peers.hpp"
 #include "process.hpp"
 #include "row.hpp"
 

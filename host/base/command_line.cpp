@@ -16,6 +16,12 @@ extern char** environ;
 
 namespace brume {
 
+std::string shell_quoted(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
+
 bool command_succeeds(const std::string& command) {
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);

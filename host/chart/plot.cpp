@@ -1,28 +1,15 @@
-// chart.svg and chart.png: gnuplot draws them, because it knows logarithmic axes, keys and fonts of both kinds of file,
-// is one small package, and is is told what to draw by a text. Without it there is still the page.
+// chart.svg and chart.png. Without gnuplot there is still the page.
 #include <algorithm>
 #include <cmath>
 
-#include "base/atomic_file.hpp"
-#include "base/command_line.hpp"
-#include "base/error.hpp"
+#include "base/gnuplot.hpp"
 #include "base/number_text.hpp"
-#include "base/text_printable.hpp"
 #include "chart/page.hpp"
 #include "chart_texts.hpp"
 
 namespace brume {
 
 namespace {
-
-std::string quoted(const std::string& text, char quote, const std::string& instead) {
-  std::string out(1, quote);
-  for (const char c : text) out += c == quote ? instead : std::string(1, c);
-  return out + quote;
-}
-// Single quotes are doubled in gnuplot's, and closed, escaped and opened again in the shell's.
-std::string plot_text(const std::string& text) { return quoted(text_printable(text), '\'', "''"); }
-std::string shell_text(const std::string& text) { return quoted(text, '\'', "'\\''"); }
 
 // Errors of 0 have no place on a logarithmic axis: they stand in the middle of what cannot be told apart.
 std::string place_text(const ChartPoint& p, double floor) {
@@ -40,7 +27,7 @@ std::string block(const std::string& name, const std::string& lines) { return na
 
 }  // namespace
 
-std::string plot_script(const Chart& chart, const std::filesystem::path& svg, const std::filesystem::path& png) {
+std::string plot_script(const Chart& chart) {
   const double floor = chart.exact.rel_rmse;
   std::vector<std::string> methods;
   for (const ChartPoint& p : chart.points)
@@ -60,22 +47,13 @@ std::string plot_script(const Chart& chart, const std::filesystem::path& svg, co
   for (const ChartPoint& p : best) front += place_text(p, floor);
   for (const ChartPeer& peer : chart.peers)
     peers += number_text(peer.seconds) + " " + number_text(peer.rel_rmse) + " \"" + peer.name + "\"\n";
-  return "chart_title = " + plot_text(title_of(chart)) + "\nfloor = " + number_text(floor) +
-         "\nmethods = " + plot_text(names) + "\nn_peers = " + std::to_string(chart.peers.size()) +
-         "\nsvg_file = " + plot_text(svg.string()) + "\npng_file = " + plot_text(png.string()) + "\n" +
+  return "chart_title = " + gnuplot_quoted(title_of(chart)) + "\nfloor = " + number_text(floor) +
+         "\nmethods = " + gnuplot_quoted(names) + "\nn_peers = " + std::to_string(chart.peers.size()) + "\n" +
          block("$points", points) + block("$front", front) + block("$peers", peers) + PLOT_GNUPLOT;
 }
 
 bool chart_plot(const Chart& chart, const ChartFolder& folder) {
-  if (!command_succeeds("command -v gnuplot >/dev/null")) return false;
-  // The script is not committed: it goes again.
-  AtomicFile script(folder.file("chart.gnuplot")), svg(folder.file("chart.svg")), png(folder.file("chart.png"));
-  script.write(plot_script(chart, svg.temporary(), png.temporary()));
-  if (!command_succeeds("gnuplot " + shell_text(script.temporary().string()) + " >/dev/null 2>&1"))
-    throw RuntimeError(folder.file("chart.svg").string() + ": gnuplot could not draw it");
-  svg.commit();
-  png.commit();
-  return true;
+  return gnuplot_draw(folder.file("chart.svg"), folder.file("chart.png"), plot_script(chart));
 }
 
 }  // namespace brume

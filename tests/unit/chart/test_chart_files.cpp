@@ -145,10 +145,9 @@ TEST_F(ChartFiles, APageHoldsAllThatItShows) {
 TEST(ChartPlot, NamesCannotLeaveTheirQuotes) {
   Chart chart = chart_example();
   chart.identity.scene = "it's `rm`.json\nset output 'x'";
-  const std::string script = plot_script(chart, "a'b.svg", "c.png");
+  const std::string script = plot_script(chart);
   EXPECT_THAT(script,
               HasSubstr("chart_title = 'it''s `rm`.json?set output ''x'', 8 x 6, a CPU (a platform), 8 lanes'\n"));
-  EXPECT_THAT(script, HasSubstr("svg_file = 'a''b.svg'\n"));
   EXPECT_THAT(script, HasSubstr("methods = 'dda_gauss2 march_midpoint'\n"));
   EXPECT_THAT(script, HasSubstr("$points << EOD\n0.5 5e-05\n\n\n0.0123457 0.03\nEOD\n"));
   EXPECT_THAT(script, HasSubstr("4.5 0.047 \"vdb_render\"\n"));

@@ -24,9 +24,8 @@ std::filesystem::path read_path(const JsonValue& value, const std::filesystem::p
 // Applies "/json/pointer=VALUE" to the parsed scene.
 void apply_override(nlohmann::json& scene, const std::string& text);
 
-// Fails where a key of `owner` asks for something that the scene language names but this version cannot do.
-enum class Part { RENDER, MESH };
-void refuse_reserved(const JsonValue& owner, Part part);
+// Fails where a key of a mesh asks for something that the scene language names but this version cannot do.
+void refuse_reserved(const JsonValue& mesh);
 
 // Too short to have a direction, or not even finite.
 bool is_zero(const dvec3& v);

@@ -8,20 +8,19 @@ namespace brume {
 namespace {
 
 struct Reserved {
-  Part part;
   const char* key;
   const char* allowed;  // JSON: the list of the values that work today
 };
 constexpr Reserved RESERVED[] = {
-    {Part::MESH, "shading", R"(["flat", "phong"])"},
+    {"shading", R"(["flat", "phong"])"},
 };
 
 }  // namespace
 
-void refuse_reserved(const JsonValue& owner, Part part) {
+void refuse_reserved(const JsonValue& mesh) {
   for (const Reserved& row : RESERVED) {
-    if (row.part != part || !owner.has(row.key)) continue;
-    const JsonValue value = owner.get(row.key);
+    if (!mesh.has(row.key)) continue;
+    const JsonValue value = mesh.get(row.key);
     const nlohmann::json allowed = nlohmann::json::parse(row.allowed);
     if (std::find(allowed.begin(), allowed.end(), value.json()) != allowed.end()) continue;
     std::string names;

@@ -24,7 +24,6 @@ bool walks(const MethodRow& row) { return row.draws != DRAWS_COLLISIONS && row.r
 bool samples_middles(const MethodRow& row) { return walks(row) && row.draws == DRAWS_NOTHING && row.share == 0.5f; }
 bool reads_voxels(const MethodRow& row) { return draws_nothing(row) && row.rule != RULE_PRODUCT; }
 
-constexpr int LIGHT_GRIDS[] = {16, 32, 64, 128};
 constexpr int ONE_LIGHT_GRID = 64;  // the default of render.light_grid
 constexpr int SPPS[] = {1, 4, 16, 64};
 constexpr int PLAIN_SPPS[] = {1, 2, 4, 8, 16, 32, 64};  // without media nothing else can be turned

@@ -18,6 +18,8 @@ struct Knobs {
   int spp = 1;
 };
 
+inline constexpr int LIGHT_GRIDS[] = {16, 32, 64, 128};  // cells: those of a sweep
+
 // What decides how far knobs are turned.
 struct KnobLimits {
   int cells = 0;       // along the longest side of the finest grid; 0: all densities are constant

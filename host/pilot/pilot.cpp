@@ -5,7 +5,6 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "base/stopwatch.hpp"
 #include "film/film_write.hpp"
 #include "flat/media_methods.hpp"
 
@@ -16,11 +15,10 @@ namespace {
 constexpr int PANEL_PIXELS = 96, PANEL_LEAST = 24;
 constexpr double PANEL_SECONDS = 0.3;
 constexpr unsigned CHOOSING = 2, CHECKING = 3;  // seeds of panels; that of the picture's own witnesses is 1
-constexpr int LIGHT_GRIDS[] = {16, 32, 64, 128};
-constexpr int STEPS_BEYOND = 3;  // finer than half a cell, for light
-constexpr double SURE = 0.5;     // an error this far below the goal needs no second panel
-constexpr double RETRY = 0.7;    // of the goal, where the second panel has said no
-constexpr double DEARER = 4;     // by cost: not worth a trial beside the quickest that is good enough
+constexpr int STEPS_BEYOND = 3;                 // finer than half a cell, for light
+constexpr double SURE = 0.5;                    // an error this far below the goal needs no second panel
+constexpr double RETRY = 0.7;                   // of the goal, where the second panel has said no
+constexpr double DEARER = 4;                    // by cost: not worth a trial beside the quickest that is good enough
 
 bool draws_numbers(int method) { return method_draws(method) != DRAWS_NOTHING; }
 
@@ -67,6 +65,7 @@ Pilot::Pilot(ChartScene& scene, const std::vector<int>& methods) : scene_(scene)
   SceneDesc look = knobs_apply(desc, families_.front().front());
   look.film.spp = 1;
   const Frame& frame = scene_.exact_scene(1).frame;
+  pixels_ = double(frame.crop_x1 - frame.crop_x0) * (frame.crop_y1 - frame.crop_y0);
   scene_.render_pixels(look, film_, work_all(frame));
   preview_ = film_image(film_.cut({frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1}));
   panel_ = panel(CHOOSING, PANEL_SECONDS);
@@ -93,9 +92,7 @@ Pilot::Panel Pilot::panel(unsigned seed, double seconds) {
 WitnessError Pilot::error_on(const Panel& panel, const Knobs& knobs, double* seconds) {
   for (const PixelWork& work : panel.work) film_.pixels()[work.pixel] = {};
   const ChartScene::PixelTimes times = scene_.render_pixels(knobs_apply(scene_.desc(), knobs), film_, panel.work);
-  const Frame& frame = scene_.exact_scene(knobs.spp).frame;
-  const double pixels = double(frame.crop_x1 - frame.crop_x0) * (frame.crop_y1 - frame.crop_y0);
-  if (seconds) *seconds = times.once + times.pixels * pixels / double(panel.work.size());
+  if (seconds) *seconds = times.once + times.pixels * pixels_ / double(panel.work.size());
   std::vector<std::array<double, 3>> shown;
   for (const WitnessDraw& draw : panel.truth.draws) {
     const FilmPixel& p = film_.pixels()[std::size_t(draw.y) * std::size_t(film_.size().x) + std::size_t(draw.x)];
@@ -144,7 +141,6 @@ PilotChoice Pilot::closest(const RenderDesc& goal) {
 }
 
 PilotChoice Pilot::choose(const RenderDesc& goal) {
-  const Stopwatch watch;
   PilotChoice choice = goal.max_error ? quickest(goal) : closest(goal);
   const auto sure = [&] { return error_at_most(choice.trial.error, goal.error_metric) <= SURE * *goal.max_error; };
   if (goal.max_error && choice.reached && !sure()) {
@@ -157,7 +153,7 @@ PilotChoice Pilot::choose(const RenderDesc& goal) {
     }
   }
   choice.trials = static_cast<int>(trials_.size());
-  choice.seconds = watch.seconds();
+  choice.seconds = watch_.seconds();
   return choice;
 }
 

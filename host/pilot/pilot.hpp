@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/stopwatch.hpp"
 #include "chart/chart_scene.hpp"
 #include "pilot/goal.hpp"
 
@@ -21,7 +22,7 @@ struct PilotChoice {
   PilotTrial trial;
   bool reached = true;  // as far as the pilot's pixels say
   int trials = 0;       // candidates that were tried
-  double seconds = 0;   // that the pilot took
+  double seconds = 0;   // that the pilot took, its first look included
 };
 
 class Pilot {
@@ -47,9 +48,11 @@ class Pilot {
   PilotChoice quickest(const RenderDesc& goal);
   PilotChoice closest(const RenderDesc& goal);
 
+  Stopwatch watch_;  // since it was made
   ChartScene& scene_;
   std::vector<std::vector<Knobs>> families_;  // of one method and light grid, from coarse to fine
   Image preview_;
+  double pixels_ = 0;  // of the crop
   Film film_;
   Panel panel_;
   std::map<std::string, PilotTrial> trials_;

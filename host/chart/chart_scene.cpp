@@ -70,7 +70,8 @@ double ChartScene::cost(const Knobs& knobs) {
   const double ray = lookups_of(row, knobs.step, std::max(limits_.cells, 1));
   const bool traces = knobs.light_grid == 0 && row.rule != RULE_PRODUCT;
   const double grid = 4 * lights * std::pow(double(knobs.light_grid), 3);
-  return pixels * knobs.spp * (100 + ray * (1 + lights * (traces ? ray / 3 : 1))) + grid;
+  const double points = knobs.rule == IN_SCATTERING_GAUSS2 ? 2 : 1;
+  return pixels * knobs.spp * (100 + ray * (1 + lights * points * (traces ? ray / 3 : 1))) + grid;
 }
 
 std::optional<ChartPicture> ChartScene::render(const SceneDesc& set, bool timed, const Progress& go_on) {

@@ -14,10 +14,11 @@ std::string metric_name(const RenderDesc& goal) {
   return std::string(family_name(error_metric_family(), goal.error_metric));
 }
 
-// "march_midpoint, step 0.0156, light grid 64"
+// "march_midpoint, step 0.0156, gauss2, light grid 64"
 std::string knobs_text(const Knobs& knobs) {
   std::string text = knobs_method(knobs);
   if (knobs.step > 0) text += ", step " + number_text(knobs.step, 3);
+  if (knobs.rule != IN_SCATTERING_SEGMENT) text += ", " + std::string(family_name(in_scattering_family(), knobs.rule));
   return text + (knobs.light_grid > 0 ? ", light grid " + std::to_string(knobs.light_grid) : ", light traced");
 }
 

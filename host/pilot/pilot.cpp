@@ -2,77 +2,81 @@
 #include "pilot/pilot.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "base/error.hpp"
 #include "film/film_write.hpp"
-#include "flat/media_methods.hpp"
 
 namespace brume {
 
 namespace {
 
 constexpr int PANEL_PIXELS = 96, PANEL_LEAST = 24;
-constexpr double PANEL_SECONDS = 0.3;
-constexpr unsigned CHOOSING = 2, CHECKING = 3;  // seeds of panels; that of the picture's own witnesses is 1
-constexpr int STEPS_BEYOND = 3;                 // finer than half a cell, for light
+constexpr double PANEL_SHARE = 0.2;  // of the time of the coarsest picture
+constexpr double PANEL_SECONDS_LEAST = 0.08, PANEL_SECONDS_MOST = 0.5;
+constexpr unsigned CHOOSING = 2, CHECKING = 3;  // seeds of pixels; the picture's own witnesses have 1
 constexpr double SURE = 0.5;                    // an error this far below the goal needs no second panel
-constexpr double RETRY = 0.7;                   // of the goal, where the second panel has said no
-constexpr double DEARER = 4;                    // by cost: not worth a trial beside the quickest that is good enough
+constexpr double LIKELY = 1.7;    // times its error on the panel is below the goal: taken where none is surely below
+constexpr double RETRY = 0.7;     // of the goal, where the second panel has said no
+constexpr double DEARER = 8;      // by cost: not worth a trial beside the quickest that is good enough
+constexpr double STALLED = 0.85;  // of the error before: what halving a step leaves where it no longer matters
+constexpr double MORE = 1.2;      // times the lookups: really finer
+constexpr double GRID_GAIN = 4;   // by which the error of a light grid falls at most with cells half as long,
+constexpr double GRID_COST = 8;   // and how much longer that takes to fill
+constexpr double EQUAL = 1.2;     // errors of which the quicker is taken where none is good enough
+constexpr double TIMED = 2;       // times the quickest: near enough to be timed against it
+constexpr std::size_t TIMED_MOST = 4;
+constexpr double TIMED_SHARE = 0.03, TIMED_PIXELS_LEAST = 128;  // of the picture's pixels
+constexpr double TIMED_FROM = 0.1;                              // s: quicker pictures are not worth it
 
-bool draws_numbers(int method) { return method_draws(method) != DRAWS_NOTHING; }
-
-// Whether a step decides anything: the method has one, or a medium that takes another does.
-bool has_steps(const SceneDesc& set) {
-  const std::vector<MediumRow> media = media_rows(set);
-  return std::any_of(media.begin(), media.end(),
-                     [&](const MediumRow& m) { return method_has_step(method_resolve(set, *m.desc)); });
-}
-
-std::vector<Knobs> steps_of(const SceneDesc& desc, Knobs knobs, const KnobLimits& limits) {
-  if (!has_steps(knobs_apply(desc, knobs))) return {knobs};
-  std::vector<Knobs> list;
-  for (const double step : steps_halving(limits, STEPS_BEYOND)) {
-    knobs.step = step;
-    list.push_back(knobs);
+// Pixels from all over the picture: every first part of a sequence by the golden ratio is spread over all of it.
+WorkList work_spread(const WorkList& all) {
+  const auto count = static_cast<std::size_t>(std::max(TIMED_SHARE * double(all.size()), TIMED_PIXELS_LEAST));
+  std::set<std::size_t> chosen;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double at = double(i) * 0.6180339887498949;
+    chosen.insert(static_cast<std::size_t>((at - std::floor(at)) * double(all.size())));
   }
-  return list;
+  WorkList work;
+  for (const std::size_t i : chosen) work.push_back(all[i]);
+  return work;
 }
+
+// What a pixel costs, in density lookups: for its samples and shadow rays in themselves, too. Counts tell candidates
+// apart where a few pixels are over too soon to be timed.
+double effort_of(const FilmPixel& p) { return p.lookups + 4.0 * p.shadow_rays + 100.0 * p.samples; }
 
 }  // namespace
 
-Pilot::Pilot(ChartScene& scene, const std::vector<int>& methods) : scene_(scene), film_(scene.desc().film.size) {
+Pilot::Pilot(ChartScene& scene, const std::vector<int>& methods)
+    : scene_(scene), families_(knob_families(scene, methods)), film_(scene.desc().film.size) {
   const SceneDesc& desc = scene.desc();
-  for (const int method : methods) {
-    if (draws_numbers(method) || method_row(method).share != 0.5f) continue;  // whose steps begin where they sample
-    Knobs knobs{method, 0, 0, desc.render.storage, IN_SCATTERING_SEGMENT, desc.film.spp};
-    if (scene.limits().grids && method != METHOD_HOMOGENEOUS)
-      for (const int grid : LIGHT_GRIDS) {
-        knobs.light_grid = grid;
-        families_.push_back(steps_of(desc, knobs, scene.limits()));
-      }
-    knobs.light_grid = 0;
-    families_.push_back(steps_of(desc, knobs, scene.limits()));
-  }
   if (families_.empty())
     throw InputError(
         desc.file.string() +
         ": /render: for an error or a time a method is needed that draws no random numbers; allowed: auto, "
         "march_midpoint, dda_midpoint, dda_gauss2, dda_nearest, homogeneous");
-  std::stable_sort(families_.begin(), families_.end(),
-                   [&](const auto& a, const auto& b) { return scene_.cost(a.front()) < scene_.cost(b.front()); });
-  // A first look: which pixels are bright.
+  // A first look: which pixels are bright, and what there is to gain.
   SceneDesc look = knobs_apply(desc, families_.front().front());
   look.film.spp = 1;
   const Frame& frame = scene_.exact_scene(1).frame;
-  pixels_ = double(frame.crop_x1 - frame.crop_x0) * (frame.crop_y1 - frame.crop_y0);
-  scene_.render_pixels(look, film_, work_all(frame));
+  const WorkList all = work_all(frame);
+  spread_ = work_spread(all);
+  for (PixelWork& work : spread_) work.samples = static_cast<std::uint32_t>(desc.film.spp);
+  pixels_ = double(all.size());
+  const ChartScene::PixelTimes times = scene_.render_pixels(look, film_, all);
+  least_seconds_ = times.once + times.pixels * desc.film.spp;
+  double effort = 0;
+  for (const PixelWork& work : all) effort += effort_of(film_.pixels()[work.pixel]);
+  effort_seconds_ = times.pixels / effort;
   preview_ = film_image(film_.cut({frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1}));
-  panel_ = panel(CHOOSING, PANEL_SECONDS);
+  panel_ = panel(CHOOSING);
 }
 
-Pilot::Panel Pilot::panel(unsigned seed, double seconds) {
+Pilot::Panel Pilot::panel(unsigned seed) {
   const PlannedScene& exact = scene_.exact_scene(scene_.desc().film.spp);
+  const double seconds = std::clamp(PANEL_SHARE * least_seconds_, PANEL_SECONDS_LEAST, PANEL_SECONDS_MOST);
   Panel made;
   made.truth =
       witnesses_ask(exact, witnesses_draw(preview_, exact.frame, PANEL_PIXELS, seed), {seconds, PANEL_LEAST, 3});
@@ -89,10 +93,25 @@ Pilot::Panel Pilot::panel(unsigned seed, double seconds) {
   return made;
 }
 
-WitnessError Pilot::error_on(const Panel& panel, const Knobs& knobs, double* seconds) {
+// Of the whole picture, by the effort of a panel's pixels and how many each stands for.
+double Pilot::seconds_of(const ChartScene::PixelTimes& times, const Panel& panel) const {
+  double effort = 0, weights = 0;
+  for (const WitnessDraw& draw : panel.truth.draws) {
+    effort += draw.weight * effort_of(film_.pixels()[std::size_t(draw.y) * std::size_t(film_.size().x) + draw.x]);
+    weights += draw.weight;
+  }
+  return times.once + effort_seconds_ * pixels_ * effort / weights;
+}
+
+WitnessError Pilot::error_on(const Panel& panel, const Knobs& knobs, PilotTrial* its) {
   for (const PixelWork& work : panel.work) film_.pixels()[work.pixel] = {};
   const ChartScene::PixelTimes times = scene_.render_pixels(knobs_apply(scene_.desc(), knobs), film_, panel.work);
-  if (seconds) *seconds = times.once + times.pixels * pixels_ / double(panel.work.size());
+  if (its) {
+    its->once = times.once;
+    its->lookups = 0;
+    for (const PixelWork& work : panel.work) its->lookups += film_.pixels()[work.pixel].lookups;
+    its->seconds = seconds_of(times, panel);
+  }
   std::vector<std::array<double, 3>> shown;
   for (const WitnessDraw& draw : panel.truth.draws) {
     const FilmPixel& p = film_.pixels()[std::size_t(draw.y) * std::size_t(film_.size().x) + std::size_t(draw.x)];
@@ -102,49 +121,137 @@ WitnessError Pilot::error_on(const Panel& panel, const Knobs& knobs, double* sec
   return witnesses_compare(panel.truth, shown, panel.mean);
 }
 
-const PilotTrial& Pilot::trial(const Knobs& knobs) {
-  const auto [found, fresh] = trials_.emplace(knobs_id(knobs), PilotTrial{knobs, {}, 0});
-  if (fresh) found->second.error = error_on(panel_, knobs, &found->second.seconds);
+PilotTrial& Pilot::trial(const Knobs& knobs) {
+  const auto [found, fresh] = trials_.emplace(knobs_id(knobs), PilotTrial{knobs, {}, 0, 0, 0});
+  if (fresh) found->second.error = error_on(panel_, knobs, &found->second);
   return found->second;
 }
 
-// Finer steps of a family only take longer: the first that is good enough ends it, and so does one that takes longer
-// than the best so far.
-PilotChoice Pilot::quickest(const RenderDesc& goal) {
-  const PilotTrial* best = nullptr;
-  const PilotTrial* nearest = &trial(families_.front().front());
-  for (const std::vector<Knobs>& family : families_) {
-    if (best && scene_.cost(family.front()) > DEARER * scene_.cost(best->knobs)) continue;
-    for (const Knobs& knobs : family) {
-      const PilotTrial& it = trial(knobs);
-      if (error_in(it.error, goal.error_metric) < error_in(nearest->error, goal.error_metric)) nearest = &it;
-      if (best && it.seconds >= best->seconds) break;
-      if (error_at_most(it.error, goal.error_metric) > *goal.max_error) continue;
-      best = &it;
-      break;
-    }
+bool Pilot::good_enough(const PilotTrial& trial, const RenderDesc& goal) const {
+  return (likely_ ? LIKELY * error_in(trial.error, goal.error_metric)
+                  : error_at_most(trial.error, goal.error_metric)) <= *goal.max_error;
+}
+
+// The first of a family that is good enough. The rest is left out once finer steps, more of them, have changed nothing
+// twice in a row, because the error is that of the rule.
+PilotTrial* Pilot::coarsest(const KnobFamily& family, const RenderDesc& goal) {
+  double error = INFINITY, lookups = 0;
+  int stalls = 0;
+  for (const Knobs& knobs : family) {
+    PilotTrial& it = trial(knobs);
+    if (good_enough(it, goal)) return &it;
+    if (it.lookups < MORE * lookups) continue;
+    stalls = error_in(it.error, goal.error_metric) > STALLED * error ? stalls + 1 : 0;
+    if (stalls == 2) return nullptr;
+    error = error_in(it.error, goal.error_metric);
+    lookups = it.lookups;
   }
-  return {best ? *best : *nearest, best != nullptr, 0, 0};
+  return nullptr;
+}
+
+// The first light grid that is good enough in place of tracing with settings that are, and may be quicker than
+// `seconds`. One that was too coarse once is so for every method.
+PilotTrial* Pilot::coarsest_grid(const KnobFamily& family, Knobs knobs, const RenderDesc& goal, double seconds) {
+  double hoped = 0;  // the least that the error of the next may be
+  for (const int grid : family_grids(family, scene_)) {
+    hoped /= GRID_GAIN;
+    if (grid <= too_coarse_ || hoped > *goal.max_error) continue;
+    if (least_seconds_ + fill_seconds_[grid] > seconds) return nullptr;
+    knobs.light_grid = grid;
+    PilotTrial& it = trial(knobs);
+    fill_seconds_[grid] = it.once;
+    if (good_enough(it, goal)) return &it;
+    too_coarse_ = grid;
+    if (it.seconds + (GRID_COST - 1) * it.once > seconds) return nullptr;
+    hoped = error_in(it.error, goal.error_metric);
+  }
+  return nullptr;
+}
+
+// By pixels from all over the picture.
+void Pilot::time(PilotTrial& trial) {
+  for (const PixelWork& work : spread_) film_.pixels()[work.pixel] = {};
+  const ChartScene::PixelTimes times = scene_.render_pixels(knobs_apply(scene_.desc(), trial.knobs), film_, spread_);
+  trial.seconds = times.once + times.pixels * pixels_ / double(spread_.size());
+}
+
+// Those that should be about as quick as the quickest are timed against it.
+PilotTrial& Pilot::quickest_of(std::vector<PilotTrial*> good) {
+  const auto quicker = [](const PilotTrial* a, const PilotTrial* b) { return a->seconds < b->seconds; };
+  std::sort(good.begin(), good.end(), quicker);
+  const double limit = TIMED * good.front()->seconds;
+  while (good.size() > TIMED_MOST || good.back()->seconds > limit) good.pop_back();
+  if (good.size() == 1 || good.front()->seconds < TIMED_FROM) return *good.front();
+  for (PilotTrial* it : good) time(*it);
+  return **std::min_element(good.begin(), good.end(), quicker);
+}
+
+// Of all trials the closest, or one hardly further off that is quicker.
+PilotTrial& Pilot::nearest(int metric) {
+  double least = INFINITY;
+  for (const auto& [id, it] : trials_) least = std::min(least, error_in(it.error, metric));
+  PilotTrial* best = nullptr;
+  for (auto& [id, it] : trials_)
+    if (error_in(it.error, metric) <= EQUAL * least && (!best || it.seconds < best->seconds)) best = &it;
+  return *best;
+}
+
+PilotChoice Pilot::quickest(const RenderDesc& goal) {
+  std::vector<PilotTrial*> good;
+  const PilotTrial* best = nullptr;
+  too_coarse_ = 0;
+  const auto add = [&](PilotTrial* it) {
+    if (!it) return;
+    good.push_back(it);
+    if (!best || it->seconds < best->seconds) best = it;
+  };
+  for (const KnobFamily& family : families_) {
+    if (best && scene_.cost(family.front()) > DEARER * scene_.cost(best->knobs)) continue;
+    PilotTrial* traced = coarsest(family, goal);
+    add(traced);
+    if (traced) add(coarsest_grid(family, traced->knobs, goal, best->seconds));
+  }
+  if (best) return {quickest_of(good), true, 0, 0};
+  if (likely_) return {nearest(goal.error_metric), false, 0, 0};
+  likely_ = true;
+  return quickest(goal);
+}
+
+// Every candidate that should keep to the time.
+void Pilot::try_within(const RenderDesc& goal) {
+  for (const KnobFamily& family : families_) {
+    std::vector<int> grids = family_grids(family, scene_);
+    grids.insert(grids.begin(), 0);
+    for (const int grid : grids)
+      for (Knobs knobs : family) {
+        knobs.light_grid = grid;
+        if (trial(knobs).seconds > *goal.time_budget) break;
+      }
+  }
 }
 
 PilotChoice Pilot::closest(const RenderDesc& goal) {
-  const PilotTrial* best = nullptr;
-  const PilotTrial* first = &trial(families_.front().front());
-  for (const std::vector<Knobs>& family : families_)
-    for (const Knobs& knobs : family) {
-      const PilotTrial& it = trial(knobs);
-      if (it.seconds < first->seconds) first = &it;
-      if (it.seconds > *goal.time_budget) break;
-      if (!best || error_in(it.error, goal.error_metric) < error_in(best->error, goal.error_metric)) best = &it;
-    }
-  return {best ? *best : *first, best != nullptr, 0, 0};
+  try_within(goal);
+  std::vector<PilotTrial*> trials;
+  for (auto& [id, it] : trials_) trials.push_back(&it);
+  std::sort(trials.begin(), trials.end(), [&](const PilotTrial* a, const PilotTrial* b) {
+    return error_in(a->error, goal.error_metric) < error_in(b->error, goal.error_metric);
+  });
+  for (PilotTrial* it : trials) {
+    if (it->seconds > *goal.time_budget) continue;
+    time(*it);
+    if (it->seconds <= *goal.time_budget) return {*it, true, 0, 0};
+  }
+  const auto first = std::min_element(trials.begin(), trials.end(),
+                                      [](const auto* a, const auto* b) { return a->seconds < b->seconds; });
+  return {**first, false, 0, 0};
 }
 
 PilotChoice Pilot::choose(const RenderDesc& goal) {
   PilotChoice choice = goal.max_error ? quickest(goal) : closest(goal);
   const auto sure = [&] { return error_at_most(choice.trial.error, goal.error_metric) <= SURE * *goal.max_error; };
   if (goal.max_error && choice.reached && !sure()) {
-    const Panel second = panel(CHECKING, PANEL_SECONDS);
+    const Panel second = panel(CHECKING);
     RenderDesc tighter = goal;
     while (choice.reached &&
            error_in(error_on(second, choice.trial.knobs, nullptr), goal.error_metric) > *goal.max_error) {

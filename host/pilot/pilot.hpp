@@ -1,5 +1,5 @@
-// Before a picture is made: which method, step and light grid reach what is asked for soonest. Candidates render some
-// pixels only and are held against the reference there.
+// Before a picture is made: which method, step, rule and light grid reach what is asked for soonest. Candidates render
+// some pixels only and are held against the reference there.
 #pragma once
 #include <map>
 #include <optional>
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/stopwatch.hpp"
-#include "chart/chart_scene.hpp"
+#include "pilot/candidates.hpp"
 #include "pilot/goal.hpp"
 
 namespace brume {
@@ -15,7 +15,9 @@ namespace brume {
 struct PilotTrial {
   Knobs knobs;
   WitnessError error;  // on the pilot's pixels
-  double seconds = 0;  // that the whole picture is expected to take
+  double lookups = 0;  // of the pilot's pixels
+  double once = 0;     // s, to fill its light grids
+  double seconds = 0;  // that the whole picture is expected to take, with them
 };
 
 struct PilotChoice {
@@ -42,19 +44,33 @@ class Pilot {
     WorkList work;
     double mean = 0;
   };
-  Panel panel(unsigned seed, double seconds);
-  const PilotTrial& trial(const Knobs& knobs);
-  WitnessError error_on(const Panel& panel, const Knobs& knobs, double* seconds);
+  Panel panel(unsigned seed);
+  PilotTrial& trial(const Knobs& knobs);
+  WitnessError error_on(const Panel& panel, const Knobs& knobs, PilotTrial* its);
+  double seconds_of(const ChartScene::PixelTimes& times, const Panel& panel) const;
+  bool good_enough(const PilotTrial& trial, const RenderDesc& goal) const;
+  PilotTrial* coarsest(const KnobFamily& family, const RenderDesc& goal);
+  PilotTrial* coarsest_grid(const KnobFamily& family, Knobs knobs, const RenderDesc& goal, double seconds);
+  void time(PilotTrial& trial);
+  PilotTrial& quickest_of(std::vector<PilotTrial*> good);
+  PilotTrial& nearest(int metric);
   PilotChoice quickest(const RenderDesc& goal);
+  void try_within(const RenderDesc& goal);
   PilotChoice closest(const RenderDesc& goal);
 
   Stopwatch watch_;  // since it was made
   ChartScene& scene_;
-  std::vector<std::vector<Knobs>> families_;  // of one method and light grid, from coarse to fine
+  std::vector<KnobFamily> families_;
   Image preview_;
-  double pixels_ = 0;  // of the crop
+  double pixels_ = 0;                   // of the crop
+  double least_seconds_ = 0;            // that the whole picture takes by the coarsest candidate
+  double effort_seconds_ = 0;           // of one unit of effort
+  int too_coarse_ = 0;                  // light grids up to this one were
+  bool likely_ = false;                 // none is surely good enough
+  std::map<int, double> fill_seconds_;  // of light grids
   Film film_;
   Panel panel_;
+  WorkList spread_;  // pixels from all over the crop
   std::map<std::string, PilotTrial> trials_;
 };
 

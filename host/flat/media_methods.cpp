@@ -86,6 +86,15 @@ int method_resolve(const SceneDesc& desc, const MediumDesc& m) {
   return method_exact(m);
 }
 
+int in_scattering_resolve(const SceneDesc& desc) {
+  if (desc.render.in_scattering != IN_SCATTERING_AUTO) return desc.render.in_scattering;
+  if (desc.render.shadow == SHADOW_GRID) return IN_SCATTERING_SEGMENT;
+  const bool exact = std::all_of(desc.media.begin(), desc.media.end(), [&](const MediumDesc& m) {
+    return m.sigma_s == dvec3(0) || method_resolve(desc, m) == method_exact(m);
+  });
+  return exact ? IN_SCATTERING_GAUSS2 : IN_SCATTERING_SEGMENT;
+}
+
 void media_check(const SceneDesc& desc, const std::vector<MediumRow>& media, std::vector<std::string>& notes) {
   methods_tell(desc, media, notes);
   light_grids_check(desc, media);

@@ -66,7 +66,6 @@ void plan_camera(const SceneDesc& desc, const FlatScene& scene, Frame& frame) {
   frame.camera.spp = desc.film.spp;
   frame.background = packed(desc.background);
   frame.ambient = packed(desc.ambient);
-  frame.in_scattering = desc.render.in_scattering;
   frame.roulette = static_cast<float>(desc.render.roulette);
   frame.max_depth = desc.render.max_depth;
   frame.seed = static_cast<uint>(desc.render.seed);

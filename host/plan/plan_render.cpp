@@ -77,6 +77,7 @@ Medium medium_of(const FlatScene& flat, const MediumWalk& walk, std::size_t medi
 RenderPlan plan_render(const SceneDesc& desc, const FlatScene& flat, const PlanOptions& options) {
   RenderPlan plan;
   plan_camera(desc, flat, plan.frame);
+  plan.frame.in_scattering = in_scattering_resolve(desc);
   plan.frame.light_count = static_cast<int>(flat.lights.size());
   plan.frame.light_picks = plan_light_picks(desc, flat);
   plan.frame.shape_count = static_cast<int>(flat.shapes.size());

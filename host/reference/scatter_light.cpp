@@ -43,7 +43,7 @@ dvec3 light_transmittance(const Context& context, const Segment& at, std::size_t
   if (!at.dense) return transmittance_of(depth(at.t, STREAM_LIGHT));
   // from inside both ends, of which one may lie on a face of a medium along which light travels, and on in a straight
   // line
-  const double inset = 1.0 / 16384, length = at.end - at.begin;
+  const double inset = DENSE_POINT, length = at.end - at.begin;
   const dvec3 near = depth(at.begin + inset * length, STREAM_LIGHT),
               far = depth(at.end - inset * length, STREAM_LIGHT_END), slope = (far - near) / (1 - 2 * inset);
   const dvec3 begin = glm::max(near - inset * slope, 0.0), end = at.depth + glm::max(far + inset * slope, 0.0);
@@ -64,19 +64,24 @@ dvec3 arriving_at(const Context& context, const Segment& at, std::size_t light, 
   return arrival.irradiance * phase_eval(medium.phase, medium.g, glm::dot(arrival.light.travel, -ray.dir));
 }
 
-// PICTURE, Two points: c(x), by which a sum over two points of what falls by exp(-x) falls short of the integral.
-// Its logarithm, since it grows as exp(FIRST_POINT x).
-double bend_log(double x) {
+// PICTURE, Two points: c(x), by which a sum over two points, at q and 1 - q, of what falls by exp(-x) falls short of
+// the integral. Its logarithm, since it grows as exp(qx).
+double bend_log(double x, double q) {
   const double y = std::abs(x);
-  return FIRST_POINT * y + std::log(2 * mean_exp(y) / (1 + std::exp(-y / std::sqrt(3.0))));
+  return q * y + std::log(2 * mean_exp(y) / (1 + std::exp(-y * (1 - 2 * q))));
 }
 
 // One channel of shadow ray n: what counts of the light at both points.
-std::array<double, 2> points_weights(double depth, double second, double near, double far, bool bends) {
-  const double limit = std::min(near, far) / FIRST_POINT;
-  const double slope = bends ? std::clamp(std::sqrt(3.0) * (far - near), -limit, limit) : 0;
-  const double lift = bend_log(depth + slope) - bend_log(depth);
-  const double behind = second * std::exp(-depth / std::sqrt(3.0)), share = behind / (1 - second + behind);
+std::array<double, 2> points_weights(const Segment& at, int c, double near, double far, bool bends) {
+  const double q = at.dense ? DENSE_POINT : FIRST_POINT, depth = at.depth[c], grows = (far - near) / (1 - 2 * q);
+  const double behind = at.second * std::exp(-depth * (1 - 2 * q)), share = behind / (1 - at.second + behind);
+  if (at.dense && bends) {
+    const double begin = std::max(near - q * grows, 0.0), end = depth + std::max(far + q * grows, 0.0);
+    const double mean = mean_between(begin, end) / mean_between(0, depth);
+    return {(1 - share) * mean, share * mean};
+  }
+  const double limit = std::min(near, far) / q, slope = bends ? std::clamp(grows, -limit, limit) : 0;
+  const double lift = bend_log(depth + slope, q) - bend_log(depth, q);
   return {(1 - share) * std::exp(lift - near), share * std::exp(lift - far)};
 }
 
@@ -85,7 +90,8 @@ dvec3 light_of_points(const Context& context, const Segment& at, std::size_t lig
                       Scattered& result) {
   std::array<dvec3, 2> arriving, tau;
   for (uint k = 0; k < 2; ++k) {
-    const double t = at.begin + (at.end - at.begin) * (k ? 1 - FIRST_POINT : FIRST_POINT);
+    const double q = at.dense ? DENSE_POINT : FIRST_POINT;
+    const double t = at.begin + (at.end - at.begin) * (k ? 1 - q : q);
     arriving[k] = arriving_at(context, at, light, t, ray, result);
     tau[k] = arriving[k] == dvec3(0)
                  ? dvec3(0)
@@ -95,7 +101,7 @@ dvec3 light_of_points(const Context& context, const Segment& at, std::size_t lig
   const bool bends = at.bends && arriving[0] != dvec3(0) && arriving[1] != dvec3(0);
   dvec3 sum;
   for (int c = 0; c < 3; ++c) {
-    const auto weights = points_weights(at.depth[c], at.second, tau[0][c], tau[1][c], bends);
+    const auto weights = points_weights(at, c, tau[0][c], tau[1][c], bends);
     sum[c] = weights[0] * arriving[0][c] + weights[1] * arriving[1][c];
   }
   return sum;

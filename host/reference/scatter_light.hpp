@@ -8,6 +8,7 @@
 namespace brume::reference {
 
 inline const double FIRST_POINT = (1 - 1 / std::sqrt(3.0)) / 2;  // of two points of a segment, as a share of it
+inline constexpr double DENSE_POINT = 1.0 / 16384;               // the same where a segment is dense
 
 // A piece of a view ray through a medium for which light is asked for: at t, where it is dense at both of its ends, or
 // at two points.

@@ -125,12 +125,17 @@ struct SegmentWalk {
     return part;
   }
 
+  // The depth from which on a segment is dense.
+  double dense_from() const {
+    if (rule == IN_SCATTERING_SEGMENT) return medium.is_constant ? 1.0 / 512 : 1.0 / 16;
+    return rule == IN_SCATTERING_GAUSS2 ? 1.0 / 2 : INFINITY;
+  }
+
   // False: roulette ended the ray.
   bool scatter(const SegmentD& segment) {
     const auto [other_tau, other_depth] = beside(segment);
     const dvec3 depth = sigma_t * segment.density_length + other_depth, before = own_tau + other_tau;
-    const bool dense =
-        takes_ends && rule == IN_SCATTERING_SEGMENT && largest(depth) > (medium.is_constant ? 1.0 / 512 : 1.0 / 16);
+    const bool dense = takes_ends && largest(depth) > dense_from();
     Segment at{index, segment.sample,  walk,          segment.id, walk.child(segment.id),
                dense, segment.t_begin, segment.t_end, depth};
     at.two_points = rule == IN_SCATTERING_GAUSS2;

@@ -147,6 +147,7 @@ struct MediumDesc {
 };
 
 inline constexpr int METHOD_AUTO = -1;
+inline constexpr int IN_SCATTERING_AUTO = -1;
 inline constexpr int SHADOW_AUTO = -1;
 inline constexpr int LIGHT_SAMPLES_AUTO = -1;
 
@@ -165,7 +166,7 @@ enum ErrorMetric {
 struct RenderDesc {
   int method = METHOD_AUTO;
   double step = 0.05;  // share of the medium's longest side
-  int in_scattering = IN_SCATTERING_SEGMENT;
+  int in_scattering = IN_SCATTERING_AUTO;
   int shadow = SHADOW_AUTO;
   int storage = STORAGE_F32;
   int light_grid = 64;                     // shadow grid: cells of the light grid along the medium's longest side

@@ -63,7 +63,9 @@ RenderDesc read_render(const JsonValue& scene) {
   r.step = read_step(render, r.step);
   Family shadows = shadow_family();
   shadows.insert(shadows.begin(), {SHADOW_AUTO, "auto", "trace, which is exact"});
-  r.in_scattering = render.member("in_scattering", r.in_scattering, in_scattering_family(), "in-scattering rule");
+  Family rules = in_scattering_family();
+  rules.insert(rules.begin(), {IN_SCATTERING_AUTO, "auto", "gauss2 where all else is exact"});
+  r.in_scattering = render.member("in_scattering", r.in_scattering, rules, "in-scattering rule");
   r.shadow = render.member("shadow", r.shadow, shadows, "shadow mode");
   r.storage = render.member("storage", r.storage, storage_family(), "storage");
   r.light_grid = render.integer("light_grid", r.light_grid, 1, LIGHT_GRID_MAX);

@@ -144,13 +144,14 @@ Json density_json(const DensityDesc& d, const Folder& folder) {
   return json;
 }
 
-Json method_json(int method) { return method == METHOD_AUTO ? "auto" : family_name(method_family(), method); }
+static_assert(METHOD_AUTO == -1 && SHADOW_AUTO == -1 && IN_SCATTERING_AUTO == -1, "one number for all");
+Json auto_or_name(const Family& family, int id) { return id == METHOD_AUTO ? "auto" : family_name(family, id); }
 
 Json render_json(const RenderDesc& r) {
-  Json json{{"method", method_json(r.method)},
+  Json json{{"method", auto_or_name(method_family(), r.method)},
             {"step", number(r.step)},
-            {"in_scattering", family_name(in_scattering_family(), r.in_scattering)},
-            {"shadow", r.shadow == SHADOW_AUTO ? "auto" : family_name(shadow_family(), r.shadow)},
+            {"in_scattering", auto_or_name(in_scattering_family(), r.in_scattering)},
+            {"shadow", auto_or_name(shadow_family(), r.shadow)},
             {"light_grid", r.light_grid},
             {"storage", family_name(storage_family(), r.storage)},
             {"roulette", r.roulette},
@@ -175,7 +176,7 @@ Json medium_json(const MediumDesc& m, const Folder& folder) {
   json["emission"] = vec(m.emission);
   json["phase"] = {{"type", family_name(phase_family(), m.phase)}};
   if (phase_takes_g(m.phase)) json["phase"]["g"] = number(m.g);
-  if (m.method) json["method"] = method_json(*m.method);
+  if (m.method) json["method"] = auto_or_name(method_family(), *m.method);
   if (m.step) json["step"] = number(*m.step);
   return json;
 }

@@ -36,7 +36,15 @@ static inline void stretch_before(const Scene* scene, Stretch* s, Tau sigma_t, T
   }
   for (int c = 0; c < TAU_CHANNELS; ++c) before[c] = lanes_load(each[c]);
 #else
-  const floatW integral = lanes_load(s->integral), walked = lanes_before(integral);
+  const floatW integral = lanes_load(s->integral);
+  if (RULE_IS(s->medium, PRODUCT)) {  // no sum over many steps, each of which would round it
+    const floatW walked = s->medium->constant_density * lanes_load(s->at->begin);
+    for (int c = 0; c < TAU_CHANNELS; ++c) before[c] = tau_channel(sigma_t, c) * walked;
+    const int last = s->at->count - 1;
+    *tau = sigma_t * (s->medium->constant_density * (s->at->begin[last] + s->at->size[last]));
+    return;
+  }
+  const floatW walked = lanes_before(integral);
   for (int c = 0; c < TAU_CHANNELS; ++c)
     before[c] = mad_exact((floatW)(tau_channel(sigma_t, c)), walked, (floatW)(tau_channel(*tau, c)));
   *tau += sigma_t * lanes_sum(integral);
@@ -49,6 +57,7 @@ static inline void stretch_gains(const Scene* scene, Stretch* s, Tau sigma_t, Ta
   s->dense = (intW)(0);
   if (TAKES_ENDS(scene) && IN_SCATTERING_IS(scene, SEGMENT))
     s->dense = stretch_depth_max(s) > (floatW)(RULE_IS(s->medium, PRODUCT) ? TAU_THIN_CONSTANT : TAU_THIN);
+  if (TAKES_ENDS(scene) && IN_SCATTERING_IS(scene, GAUSS2)) s->dense = stretch_depth_max(s) > (floatW)(TAU_ENDS_GAUSS2);
   stretch_before(scene, s, sigma_t, tau, before);
   const floatW integral = lanes_load(s->integral);
   for (int c = 0; c < TAU_CHANNELS; ++c) {

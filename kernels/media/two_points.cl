@@ -3,9 +3,7 @@
 #define BRUME_MEDIA_TWO_POINTS_CL
 #include "media/sources.cl"
 
-#define FIRST_POINT 0.211324865405187f   // (1 - 1/√3) / 2 of the segment
-#define SECOND_POINT 0.788675134594813f  // and as far from its end
-#define BETWEEN_POINTS 0.577350269189626f
+#define FIRST_POINT 0.211324865405187f  // (1 - 1/√3) / 2 of the segment, and as far from its end
 
 // What one shadow ray of each segment brings to one of its points: E · V · p and the depth on the way.
 typedef struct {
@@ -44,9 +42,14 @@ static inline intW arrivals_lit(const Arrivals* a) {
   return (lanes_load(a->light[0]) > 0.0f) | (lanes_load(a->light[1]) > 0.0f) | (lanes_load(a->light[2]) > 0.0f);
 }
 
-// ∫ exp(-x u) du by its value at the two points, where both are scaled by exp(FIRST_POINT x).
-static inline floatW lanes_points_bend(floatW x) {
-  return 2.0f * lanes_mean_exp(x) / (1.0f + exp(-BETWEEN_POINTS * x));
+// The share of a segment before its first point: that of Gauss's rule, or where it is dense still next to nothing.
+static inline floatW points_first(const Stretch* s) {
+  return lanes_select((floatW)(FIRST_POINT), (floatW)(END_INSET), s->dense);
+}
+
+// ∫ exp(-x u) du by its value at two points, of which the first is scaled to 1; they are `between` apart.
+static inline floatW lanes_points_bend(floatW x, floatW between) {
+  return 2.0f * lanes_mean_exp(x) / (1.0f + exp(-between * x));
 }
 
 // What of the light of both points is seen from the begin of the segments, in one channel of τ.
@@ -55,14 +58,24 @@ typedef struct {
 } Weights;
 
 // `bends`: lanes whose τ to the light may be continued in a straight line from both points.
-static inline Weights points_weigh(const Arrivals* a, int c, floatW depth, floatW second, intW bends) {
-  const floatW near = lanes_load(a[0].tau[c]), far = lanes_load(a[1].tau[c]);
+static inline Weights points_weigh(const Stretch* s, const Arrivals* a, int c, intW bends) {
+  const floatW q = points_first(s), between = 1.0f - 2.0f * q, depth = s->depth[c];
+  const floatW near = lanes_load(a[0].tau[c]), far = lanes_load(a[1].tau[c]), grows = (far - near) / between;
   const floatW limit = fmin(near, far) * (1.0f / FIRST_POINT);
-  const floatW slope = fmin(fmax((far - near) * (1.0f / BETWEEN_POINTS), -limit), limit);
+  const floatW slope = fmin(fmax(grows, -limit), limit);
   const floatW span = lanes_select(depth, fabs(depth + slope), bends);
-  const floatW lift = lanes_points_bend(span) / lanes_points_bend(depth), raise = FIRST_POINT * (span - depth);
-  const floatW behind = second * exp(-BETWEEN_POINTS * depth), share = behind / ((1.0f - second) + behind);
-  const Weights w = {(1.0f - share) * lift * exp(raise - near), share * lift * exp(raise - far)};
+  const floatW lift = lanes_points_bend(span, between) / lanes_points_bend(depth, between);
+  const floatW raise = q * (span - depth);
+  const floatW behind = s->second * exp(-between * depth), share = behind / ((1.0f - s->second) + behind);
+  Weights w = {lift * exp(raise - near), lift * exp(raise - far)};
+  if (lanes_any(s->dense & bends)) {
+    const floatW begin = fmax(near - q * grows, (floatW)(0.0f)), end = fmax(far + q * grows, (floatW)(0.0f));
+    const floatW mean = lanes_light_mean(begin, end, depth);
+    w.first = lanes_select(w.first, mean, s->dense & bends);
+    w.second = lanes_select(w.second, mean, s->dense & bends);
+  }
+  w.first *= 1.0f - share;
+  w.second *= share;
   return w;
 }
 
@@ -72,9 +85,9 @@ static inline floatW points_sum(const Arrivals* a, int color, const Weights* w) 
 
 static inline Colors sources_from_points(const Scene* scene, const Stretch* s, MediumResult* result) {
   float place[2][W];
-  const floatW begin = lanes_load(s->at->begin), size = lanes_load(s->at->size);
-  lanes_store(mad_exact(size, (floatW)(FIRST_POINT), begin), place[0]);
-  lanes_store(mad_exact(size, (floatW)(SECOND_POINT), begin), place[1]);
+  const floatW begin = lanes_load(s->at->begin), size = lanes_load(s->at->size), first = points_first(s);
+  lanes_store(mad_exact(size, first, begin), place[0]);
+  lanes_store(mad_exact(size, 1.0f - first, begin), place[1]);
   Colors sum = {(floatW)(0.0f), (floatW)(0.0f), (floatW)(0.0f)};
   for (int n = 0; n < scene->frame->light_picks; ++n) {
     Arrivals a[2];
@@ -83,7 +96,7 @@ static inline Colors sources_from_points(const Scene* scene, const Stretch* s, M
     intW bends = (intW)(0);
     if (TAKES_ENDS(scene)) bends = arrivals_lit(&a[0]) & arrivals_lit(&a[1]);
     Weights w[TAU_CHANNELS];
-    for (int c = 0; c < TAU_CHANNELS; ++c) w[c] = points_weigh(a, c, s->depth[c], s->second, bends);
+    for (int c = 0; c < TAU_CHANNELS; ++c) w[c] = points_weigh(s, a, c, bends);
     sum.x += points_sum(a, 0, &w[0]);
     sum.y += points_sum(a, 1, &w[TAU_CHANNELS / 2]);
     sum.z += points_sum(a, 2, &w[TAU_CHANNELS - 1]);

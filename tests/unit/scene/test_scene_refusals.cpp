@@ -218,7 +218,7 @@ TEST(SceneRefusals, RefusesBrokenRenderSettings) {
 TEST(SceneRefusals, RefusesWhatIsOutOfRangeOrStillToCome) {
   expect_refused({
       {R"({"render": {"in_scattering": "trapezoid"}})",
-       "/render/in_scattering: unknown in-scattering rule 'trapezoid'; known: segment, rectangle, gauss2"},
+       "/render/in_scattering: unknown in-scattering rule 'trapezoid'; known: auto, segment, rectangle, gauss2"},
       {R"({"render": {"shadow": "none"}})", "/render/shadow: unknown shadow mode 'none'; known: auto, trace, grid"},
       {R"({"render": {"light_grid": 0}})", "/render/light_grid: expected"},
       {R"({"render": {"roulette": 1.5}})", "/render/roulette: expected"},

@@ -100,7 +100,9 @@ TEST(SceneSchema, ListsEveryFamily) {
   Family shadows = shadow_family();
   shadows.insert(shadows.begin(), {SHADOW_AUTO, "auto", ""});
   EXPECT_EQ(render["shadow"]["enum"], names(shadows));
-  EXPECT_EQ(render["in_scattering"]["enum"], names(in_scattering_family()));
+  Family rules = in_scattering_family();
+  rules.insert(rules.begin(), {IN_SCATTERING_AUTO, "auto", ""});
+  EXPECT_EQ(render["in_scattering"]["enum"], names(rules));
   EXPECT_EQ(render["storage"]["enum"], names(storage_family()));
   const nlohmann::json& file = lists["density"]["oneOf"].back()["properties"];
   EXPECT_EQ(file["level_set"]["enum"], names(level_set_family()));

@@ -21,20 +21,6 @@ struct Kinks {
 bool is_far(const Light& light) { return light.exponent != 0; }
 bool is_near_spot(const Light& light) { return light.type == LIGHT_SPOT && !is_far(light); }
 
-// Where the angle to a spot's direction has 1 - cos = beside: ((p - P)·D)² = cos² |p - P|² on the side of the cosine.
-void cone_kinks(const Light& light, double beside, const RayD& ray, Kinks& kinks) {
-  const dvec3 axis = vec_unit(vec_promote(light.direction)), from = ray.at(kinks.t0) - vec_promote(light.position);
-  const double cosine = 1 - beside, square = cosine * cosine;
-  const double along = glm::dot(ray.dir, axis), height = glm::dot(from, axis);
-  const double a = along * along - square, b = height * along - square * glm::dot(from, ray.dir);
-  const double c = height * height - square * glm::dot(from, from), root = b * b - a * c;
-  if (!(root >= 0)) return;
-  for (const double side : {-1.0, 1.0}) {
-    const double s = (side * std::sqrt(root) - b) / a;
-    if ((height + s * along) * cosine >= 0) kinks.add(kinks.t0 + s);
-  }
-}
-
 // Where the way from the ray to the light leaves a box through one of its edges: the plane of light and edge.
 void edge_kinks(const Medium& medium, const Light& light, const RayD& world, Kinks& kinks) {
   const RayD ray = ray_to_cells(medium, world);
@@ -63,8 +49,7 @@ Kinks kinks_find(const Context& context, int index, const RayD& ray, double t_ma
   const auto& lights = context.scene.lights;
   for (const Light& light : lights)
     if (is_near_spot(light)) {
-      for (double i = 0; i <= 8; ++i)
-        cone_kinks(light, light.outer + i / 8 * (double(light.inner) - light.outer), ray, kinks);
+      for (const double t : spot_cones(light, ray)) kinks.add(t);
     }
   for (int other = 0; other < static_cast<int>(context.media.size()); ++other) {
     const Medium& medium = context.media[static_cast<std::size_t>(other)];
@@ -110,6 +95,24 @@ double step_at(const Context& context, const Medium& medium, const RayD& ray, co
 }
 
 }  // namespace
+
+// The angle to the spot's direction has 1 - cos = beside: ((p - P)·D)² = cos² |p - P|² on the side of the cosine.
+std::vector<double> spot_cones(const Light& light, const RayD& ray) {
+  std::vector<double> found;
+  const dvec3 axis = vec_unit(vec_promote(light.direction)), from = ray.origin - vec_promote(light.position);
+  const double along = glm::dot(ray.dir, axis), height = glm::dot(from, axis);
+  for (double i = 0; i <= 8; ++i) {
+    const double cosine = 1 - (light.outer + i / 8 * (double(light.inner) - light.outer)), square = cosine * cosine;
+    const double a = along * along - square, b = height * along - square * glm::dot(from, ray.dir);
+    const double c = height * height - square * glm::dot(from, from), root = b * b - a * c;
+    if (!(root >= 0)) continue;
+    for (const double side : {-1.0, 1.0}) {
+      const double t = (side * std::sqrt(root) - b) / a;
+      if ((height + t * along) * cosine >= 0) found.push_back(t);
+    }
+  }
+  return found;
+}
 
 std::vector<SegmentD> lit_segments(const Context& context, int index, const RayD& ray, double t_max) {
   const Medium& medium = context.media[static_cast<std::size_t>(index)];

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/lit_steps.hpp"
 #include "reference/phase.hpp"
 
 namespace brume::reference {
@@ -61,6 +62,36 @@ void lit_borders(const Context& context, const RayD& ray, double t0, double t1, 
   }
 }
 
+constexpr std::size_t LIGHTS_NEAR = 16;  // lights further off than so many others change little over a cell
+constexpr double NEAREST = 0x1p-20;      // of the way: a light that the ray passes closer is not told from one on it
+
+// Adds the place next to each light that is somewhere, and from there on places twice as far off each time: the light
+// falls as 1 / (d² + s²) along the ray, which is smooth over no length above its distance.
+void light_borders(const Context& context, const RayD& ray, double t0, double t1, std::vector<double>& borders) {
+  std::vector<std::pair<double, double>> near;  // distance, t
+  for (const Light& light : context.scene.lights) {
+    if (light.type == LIGHT_DIRECTIONAL || light.exponent != 0) continue;
+    const dvec3 position = vec_promote(light.position);
+    const double t = glm::dot(position - ray.origin, ray.dir);
+    near.emplace_back(std::max(glm::length(ray.at(t) - position), NEAREST * (t1 - t0)), t);
+  }
+  std::sort(near.begin(), near.end());
+  near.resize(std::min(near.size(), LIGHTS_NEAR));
+  const auto add = [&](double t) {
+    if (t > t0 && t < t1) borders.push_back(t);
+  };
+  for (const Light& light : context.scene.lights)
+    if (light.type == LIGHT_SPOT && light.exponent == 0 && context.scene.lights.size() <= LIGHTS_NEAR)
+      for (const double t : spot_cones(light, ray)) add(t);
+  for (const auto& [distance, t] : near) {
+    add(t);
+    for (double s = 0.5 * distance; s < std::max(t1 - t, t - t0); s *= 2) {
+      add(t - s);
+      add(t + s);
+    }
+  }
+}
+
 std::vector<double> borders_of_all(const Context& context, const RayD& ray, double t_max) {
   std::vector<double> borders;
   for (int i = 0; i < static_cast<int>(context.media.size()); ++i) {
@@ -74,6 +105,7 @@ std::vector<double> borders_of_all(const Context& context, const RayD& ray, doub
   const auto ends = std::minmax_element(borders.begin(), borders.end());
   const double first = *ends.first, last = *ends.second;
   lit_borders(context, ray, first, last, borders);
+  light_borders(context, ray, first, last, borders);
   std::sort(borders.begin(), borders.end());
   borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
   return borders;

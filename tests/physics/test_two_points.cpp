@@ -51,6 +51,34 @@ const std::string LAMP_INSIDE = R"({"type": "point", "position": [0.3, 0.2, 0.1]
 const std::string SPOT = R"({"type": "spot", "position": [0, 2.2, 0], "direction": [0.1, -1, 0.1], "angle": 15,
                              "softness": 0.3, "intensity": 20})";
 
+// What witnesses are asked: whatever the steps of the picture. A ray at a distance d from a lamp in thin fog sees
+// σs I p (atan(s₁/d) - atan(s₀/d)) / d.
+TEST(ExactIntegral, PassesALampAtAnyDistance) {
+  for (const double d : {0.3, 1e-2, 1e-4})
+    for (const char* step : {"0.5", "0.01"}) {
+      Fog fog;
+      fog.sigma_t = 1e-7;
+      fog.eye = "[" + number(0.3 + d) + ", 0.2, 3]";
+      fog.target = "[" + number(0.3 + d) + ", 0.2, 0]";
+      fog.light = R"({"type": "point", "position": [0.3, 0.2, 0.1], "intensity": 1})";
+      fog.step = step;
+      const PlannedScene flat = flatten(scene_read_text(fog.scene(), "fog.json", {}), {4, {}});
+      const reference::Context context(flat, {3, 1});
+      reference::RayD ray = reference::camera_ray(flat.frame.camera, 1, 0, {0, 1});  // the middle of the picture
+      const double value = reference::ray_render(context, ray).radiance.y;
+      // g = 0.3, cos = the angle between the way from the lamp and -dir
+      const auto phase = [](double cosine) { return 0.91 / (4 * M_PI * std::pow(1.09 - 0.6 * cosine, 1.5)); };
+      double expected = 0;  // ∫ p dθ / d, θ = atan(s / d), evenly in θ
+      const double from = std::atan(-0.9 / d), until = std::atan(1.1 / d);
+      constexpr int COUNT = 20000;
+      for (int i = 0; i < COUNT; ++i) {
+        const double theta = from + (until - from) * (i + 0.5) / COUNT;
+        expected += 0.8e-7 / d * phase(-std::sin(theta)) * (until - from) / COUNT;
+      }
+      EXPECT_NEAR(value / expected, 1, 1e-3) << d << " step " << step;
+    }
+}
+
 // A slab of depth 2 and any width seen along its normal, lit at cos = mu by E: 0.8 E p ∫ σ exp(-σ z (1 + 1/mu)) dz.
 TEST(TwoPoints, ConstantSlabAtAnyDepth) {
   for (const double sigma_t : {1e-6, 1e-2, 0.7, 5.0, 60.0, 1e3, 1e6})

@@ -22,6 +22,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// As brume found it: what is set for an OpenCL driver while files are read must not change it under a helper's start.
+const std::vector<char*> ENVIRONMENT = [] {
+  std::vector<char*> all;
+  for (char** one = environ; *one != nullptr; ++one) all.push_back(*one);
+  all.push_back(nullptr);
+  return all;
+}();
+
 constexpr int POLL_MS = 100;  // a signal ends a poll by itself; this is for one that came just before it
 
 // Socket as standard input, nothing else of ours; a process group of its own, so that Ctrl-C is this program's to
@@ -41,7 +49,7 @@ int spawn(const fs::path& program, int socket, pid_t* child) {
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
   std::string name = program.string();
   char* arguments[] = {name.data(), nullptr};
-  const int failure = posix_spawn(child, name.c_str(), &files, &attributes, arguments, environ);
+  const int failure = posix_spawn(child, name.c_str(), &files, &attributes, arguments, ENVIRONMENT.data());
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   return failure;

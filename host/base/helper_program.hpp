@@ -34,8 +34,6 @@ class HelperProgram {
  public:
   // Starts it. RuntimeError where that cannot be done.
   explicit HelperProgram(const std::filesystem::path& program);
-  // Takes over one that helper_start() started.
-  explicit HelperProgram(HelperChild child) : child_(child) {}
   ~HelperProgram();  // kills it, if it has not ended
   HelperProgram(const HelperProgram&) = delete;
   HelperProgram& operator=(const HelperProgram&) = delete;

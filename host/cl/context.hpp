@@ -2,6 +2,7 @@
 #pragma once
 #include <atomic>
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -43,7 +44,11 @@ class Context {
   }
 
   // Programs that were built in it, by text and options: program_build() looks here first.
-  using Programs = std::map<std::pair<std::string, std::string>, cl::Program>;
+  struct Built {
+    cl::Program program;
+    std::filesystem::path file;  // where it is to be kept (program_used); empty where it is, or is not to be
+  };
+  using Programs = std::map<std::pair<std::string, std::string>, Built>;
   Programs& programs() const { return programs_; }
 
  private:

@@ -27,6 +27,7 @@ DeviceInfo device_describe(const cl::Platform& platform, const cl::Device& devic
   info.index = index;
   info.device = device;
   info.platform = platform.getInfo<CL_PLATFORM_NAME>();
+  info.platform_version = platform.getInfo<CL_PLATFORM_VERSION>();
   info.name = device.getInfo<CL_DEVICE_NAME>();
   info.version = device.getInfo<CL_DEVICE_VERSION>();
   info.driver = device.getInfo<CL_DRIVER_VERSION>();
@@ -121,7 +122,7 @@ DeviceInfo device_choose(const std::string& wanted) {
                               "and check OCL_ICD_VENDORS"
                             : problem));
   }
-  const std::string text = wanted.empty() ? "portable computing language" : wanted;
+  const std::string text = wanted.empty() ? POCL_PLATFORM : wanted;
   for (const DeviceInfo& info : devices)
     if (device_matches(info, text)) return info;
   if (wanted.empty()) {

@@ -8,10 +8,12 @@
 
 namespace brume {
 
+inline constexpr const char* POCL_PLATFORM = "Portable Computing Language";
+
 struct DeviceInfo {
   int index;  // over all platforms, in the loader's order
   cl::Device device;
-  std::string platform, name, version, driver;
+  std::string platform, platform_version, name, version, driver;
   bool cpu;
   bool fast_fma;
   int compute_units;

@@ -27,6 +27,8 @@ namespace {
 constexpr int DEADLY[] = {SIGABRT, SIGBUS, SIGSEGV, SIGILL};
 constexpr const char* AGAIN = "BRUME_DAMAGED_KERNEL_CACHE";  // set where this is the second start
 
+constexpr const char* SPECIALIZATION = "POCL_WORK_GROUP_SPECIALIZATION";
+
 std::atomic<int> guards{0};
 
 struct Restart {
@@ -166,12 +168,15 @@ void driver_failed(const std::string& what) {
 }
 
 void driver_environment() {
+  ::setenv(SPECIALIZATION, "0", 0);
   if (variable("POCL_CACHE_DIR").empty()) ::unsetenv("POCL_CACHE_DIR");
   const std::string problem = kernel_cache_problem(), own = problem.empty() ? "" : own_folder();
   if (own.empty()) return;
   note_write(problem + ": kernels are kept in " + own);
   ::setenv("POCL_CACHE_DIR", own.c_str(), 1);
 }
+
+bool driver_keeps_generic_kernels() { return variable(SPECIALIZATION) == "0"; }
 
 std::string kernel_cache_folder() {
   if (!variable("POCL_CACHE_DIR").empty()) return variable("POCL_CACHE_DIR");

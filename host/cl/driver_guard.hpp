@@ -19,8 +19,11 @@ class DriverGuard {
 [[noreturn]] void driver_failed(const std::string& what);
 
 // Before the first call of a driver: PoCL would abort over an empty POCL_CACHE_DIR, which is none, and fail where its
-// cache cannot be written, which then is kept in the temporary folder, with a note.
+// cache cannot be written, which then is kept in the temporary folder, with a note. And unless somebody has set it
+// otherwise, PoCL compiles a kernel once, for work-groups and grids of any size: pictures take as long, a grid of
+// another size never waits for the compiler, and a program can be handed out without compiling it again.
 void driver_environment();
+bool driver_keeps_generic_kernels();  // whether it does so
 
 // Where PoCL keeps compiled kernels, and what is wrong with that: "" where it can be written.
 std::string kernel_cache_folder();

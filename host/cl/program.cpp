@@ -6,13 +6,16 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "cl/driver_guard.hpp"
 #include "cl/kernel_text.hpp"
+#include "cl/program_cache.hpp"
 
 namespace brume {
 
@@ -61,6 +64,20 @@ std::string source_keep(const std::string& source) {
   return (out ? "source kept in " : "the source could not be kept whole in ") + path;
 }
 
+cl::Program source_build(const Context& context, const std::string& source, const std::string& options) {
+  cl::Program program(context.cl(), source);
+  try {
+    program.build({context.device().device}, options.c_str());
+    return program;
+  } catch (const cl::Error& error) {
+    interrupt_check();  // a compiler that was interrupted is not one that failed
+    const std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(context.device().device);
+    throw RuntimeError("kernel build failed on " + context.device().title() + ", driver " + context.device().driver +
+                       ": " + cl_error_name(error.err()) + "\n" + log + "\noptions: " + options + "\n" +
+                       source_keep(source));
+  }
+}
+
 }  // namespace
 
 std::string kernel_source_text(std::string_view text, std::string_view name) {
@@ -82,19 +99,20 @@ cl::Kernel kernel_create(const cl::Program& program, const char* name) {
 
 cl::Program program_build(const Context& context, const std::string& source, const std::string& options) {
   const auto known = context.programs().find({source, options});
-  if (known != context.programs().end()) return known->second;
+  if (known != context.programs().end()) return known->second.program;
   const DriverGuard guard;
-  cl::Program program(context.cl(), source);
-  try {
-    program.build({context.device().device}, ("-cl-std=CL1.2 -w " + options).c_str());
-  } catch (const cl::Error& error) {
-    interrupt_check();  // a compiler that was interrupted is not one that failed
-    const std::string log = program.getBuildInfo<CL_PROGRAM_BUILD_LOG>(context.device().device);
-    throw RuntimeError("kernel build failed on " + context.device().title() + ", driver " + context.device().driver +
-                       ": " + cl_error_name(error.err()) + "\n" + log + "\noptions: " + options + "\n" +
-                       source_keep(source));
-  }
-  return context.programs()[{source, options}] = program;
+  const std::string all = "-cl-std=CL1.2 -w " + options;
+  const std::filesystem::path file = program_file(context.device(), source, all);
+  const std::optional<cl::Program> kept = program_load(context, file, all);
+  const Context::Built built =
+      kept ? Context::Built{*kept, {}} : Context::Built{source_build(context, source, all), file};
+  context.programs()[{source, options}] = built;
+  return built.program;
+}
+
+void program_used(const Context& context, const cl::Program& program) {
+  for (auto& [text, built] : context.programs())
+    if (built.program() == program()) program_keep(context, built.program, std::exchange(built.file, {}));
 }
 
 }  // namespace brume

@@ -17,8 +17,11 @@ std::string kernel_source_text(std::string_view text, std::string_view name);
 // A kernel of a program that has it: where the driver cannot find it, its cache is damaged (driver_failed).
 cl::Kernel kernel_create(const cl::Program& program, const char* name);
 
-// Builds the program, once in a context. On failure throws RuntimeError with the build log and keeps the source in the
-// temporary folder.
+// Builds the program, once in a context, or loads it as program_used() kept it. On failure throws RuntimeError with the
+// build log and keeps the source in the temporary folder.
 cl::Program program_build(const Context& context, const std::string& source, const std::string& options);
+
+// To be called when all kernels of a program have been launched: keeps it for the next start (program_cache.hpp).
+void program_used(const Context& context, const cl::Program& program);
 
 }  // namespace brume

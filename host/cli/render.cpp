@@ -2,7 +2,9 @@
 // images.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <exception>
 #include <functional>
+#include <future>
 #include <memory>
 #include <optional>
 
@@ -25,10 +27,10 @@
 #include "film/film_partial.hpp"
 #include "film/film_write.hpp"
 #include "image/image_format.hpp"
+#include "load/load_ahead.hpp"
 #include "plan/planned_scene.hpp"
 #include "render/renderer.hpp"
 #include "scene/scene_writer.hpp"
-#include "volume/volume_file.hpp"
 
 namespace brume {
 
@@ -128,11 +130,39 @@ bool render_film(const RenderArguments& arguments, Renderer& renderer, const Wor
   return complete;
 }
 
-// For a bare volume: what reads it is loaded meanwhile.
-std::optional<DeviceInfo> choose_beside_volume(const RenderArguments& arguments) {
-  if (file_kind(arguments.scene) != FileKind::VOLUME) return std::nullopt;
-  volume_prepare(arguments.scene);
-  return device_choose(arguments.device);
+// The description of what is to be rendered and the device that renders it, found while files are read: OpenCL is
+// called from this thread only. Where both fail it is the file's failure that is told.
+struct Begun {
+  SceneDesc asked;
+  DeviceInfo device;
+};
+
+// A scene says which files it needs before they are read.
+Begun begin_scene(const RenderArguments& arguments, LoadedScene& loaded) {
+  const SceneDesc asked = scene_describe(arguments, loaded, {});
+  check_part(arguments, asked.film.size);
+  const LoadAhead ahead(loaded, asked);
+  return {asked, device_choose(arguments.device)};
+}
+
+// A bare file has to be read to be described.
+Begun begin_bare(const RenderArguments& arguments, LoadedScene& loaded) {
+  std::string report;
+  std::future<SceneDesc> asked = std::async(std::launch::async, [&] {
+    return scene_describe(arguments, loaded, [&](const std::string& text) { report = text; });
+  });
+  std::optional<DeviceInfo> device;
+  std::exception_ptr failure;
+  try {
+    device = device_choose(arguments.device);
+  } catch (const std::exception&) {
+    failure = std::current_exception();
+  }
+  const SceneDesc described = asked.get();
+  say(arguments, report);
+  check_part(arguments, described.film.size);
+  if (failure) std::rethrow_exception(failure);
+  return {described, *device};
 }
 
 // A scene as it is to be rendered, with what is to be told of it.
@@ -231,11 +261,10 @@ int render_run(RenderArguments arguments) {
   const std::string input = arguments.scene.string();
   LoadedScene loaded;
   loaded.needed_again = false;  // one picture needs the files no longer
-  const std::optional<DeviceInfo> chosen = choose_beside_volume(arguments);
-  const SceneDesc asked = with_memory(
-      input, [&] { return scene_describe(arguments, loaded, [&](const std::string& text) { say(arguments, text); }); });
-  check_part(arguments, asked.film.size);
-  const DeviceInfo device = chosen ? *chosen : device_choose(arguments.device);
+  const auto [asked, device] = with_memory(input, [&] {
+    return file_kind(arguments.scene) == FileKind::SCENE ? begin_scene(arguments, loaded)
+                                                         : begin_bare(arguments, loaded);
+  });
   const int lanes = lanes_choose(device, arguments.lanes);
   Context context(device);
   const Prepared prepared = prepare(arguments, asked, loaded, context, lanes);

@@ -5,7 +5,6 @@
 #include "flat/bare_scene.hpp"
 #include "scene/scene_reader.hpp"
 #include "scene/scene_writer.hpp"
-#include "volume/volume_file.hpp"
 
 namespace brume {
 
@@ -23,11 +22,7 @@ ivec2 film_size(const RenderArguments& arguments) {
 
 SceneDesc scene_describe(const RenderArguments& arguments, LoadedScene& loaded,
                          const std::function<void(const std::string&)>& say) {
-  if (file_kind(arguments.scene) == FileKind::SCENE) {
-    SceneDesc desc = scene_read(arguments.scene, arguments.all_overrides());
-    for (const MediumDesc& medium : desc.media) volume_prepare(medium.density.file);
-    return desc;
-  }
+  if (file_kind(arguments.scene) == FileKind::SCENE) return scene_read(arguments.scene, arguments.all_overrides());
   std::string report;
   const SceneDesc bare = bare_scene(arguments.scene, loaded, report, film_size(arguments));
   say(report);

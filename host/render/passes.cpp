@@ -112,6 +112,7 @@ void Passes::create_kernels(const std::string& options) {
     failed(error);
   }
   enqueued_.clear();
+  program_used(context_, program);
 }
 
 void Passes::failed(const cl::Error& error) const {

@@ -6,9 +6,6 @@
 
 #include <openvdb/io/io.h>
 
-#include <cerrno>
-#include <cstring>
-
 #include "base/error.hpp"
 
 namespace brume {
@@ -51,11 +48,9 @@ std::string vdb_guard(const std::function<void()>& work) {
   }
 }
 
-VdbFile::VdbFile(const fs::path& file) : file_(file), stream_metadata_(new openvdb::io::StreamMetadata) {
+VdbFile::VdbFile(const fs::path& file) : bytes_(file), in_(&bytes_), stream_metadata_(new openvdb::io::StreamMetadata) {
   static const bool once = (openvdb::initialize(), true);
   static_cast<void>(once);
-  in_.open(file, std::ios::binary);
-  if (!in_) throw InputError(std::string("cannot be opened: ") + std::strerror(errno));
   in_.exceptions(std::ios::failbit | std::ios::badbit);
   readHeader(in_);
   if (!inputHasGridOffsets())
@@ -73,7 +68,7 @@ VdbFile::VdbFile(const fs::path& file) : file_(file), stream_metadata_(new openv
 }
 
 void VdbFile::entries_read() {
-  const auto size = static_cast<std::int64_t>(fs::file_size(file_));
+  const auto size = static_cast<std::int64_t>(bytes_.size());
   const int grids = readGridCount(in_);
   if (grids < 1 || grids > GRIDS_MAX)
     throw InputError("holds " + std::to_string(grids) + " grids, expected 1 to " + std::to_string(GRIDS_MAX));

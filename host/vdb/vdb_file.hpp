@@ -6,10 +6,11 @@
 #include <openvdb/openvdb.h>
 
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include "vdb/mapped_file.hpp"
 
 namespace brume {
 
@@ -41,8 +42,8 @@ class VdbFile : private openvdb::io::Archive {
   void entries_read();
   openvdb::GridBase::Ptr read_own(const Entry& entry, VdbDepth depth);
 
-  std::filesystem::path file_;
-  std::ifstream in_;
+  MappedFile bytes_;
+  std::istream in_;
   openvdb::io::StreamMetadata::Ptr stream_metadata_;
   std::vector<Entry> entries_;
 };

@@ -120,14 +120,43 @@ bool metadata_is_stale(const GridBase& grid, const VolumeTopology& t) {
                           (hi && Coord(hi->value()) != Coord(t.hi[0], t.hi[1], t.hi[2])));
 }
 
-VolumeTopology topology_of(const GridBase& grid) {
-  VolumeTopology t{grid.baseTree().activeVoxelCount(), {0, 0, 0}, {-1, -1, -1}, 0, 0, 0};
-  if (t.active > 0) {
-    const CoordBBox box = grid.evalActiveVoxelBoundingBox();
-    coord_copy(box.min(), t.lo);
-    coord_copy(box.max(), t.hi);
+struct Active {
+  std::uint64_t count = 0;
+  CoordBBox box;
+};
+
+// In this thread: OpenVDB's own functions start TBB first, which takes longer than a small grid.
+template <class Tree>
+Active active_of(const Tree& tree) {
+  Active active;
+  for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf) {
+    active.count += leaf->onVoxelCount();
+    leaf->evalActiveBoundingBox(active.box);
   }
-  grid.apply<ScalarGrids>([&](const auto& g) { t.background = static_cast<double>(g.background()); });
+  auto tile = tree.cbeginValueOn();
+  tile.setMaxDepth(Tree::ValueOnCIter::LEAF_DEPTH - 1);
+  for (; tile; ++tile) {
+    CoordBBox box;
+    tile.getBoundingBox(box);
+    active.count += box.volume();
+    active.box.expand(box);
+  }
+  return active;
+}
+
+VolumeTopology topology_of(const GridBase& grid) {
+  Active active;
+  VolumeTopology t{0, {0, 0, 0}, {-1, -1, -1}, 0, 0, 0};
+  const bool scalar = grid.apply<ScalarGrids>([&](const auto& g) {
+    active = active_of(g.tree());
+    t.background = static_cast<double>(g.background());
+  });
+  if (!scalar) active = {grid.baseTree().activeVoxelCount(), grid.evalActiveVoxelBoundingBox()};
+  t.active = active.count;
+  if (t.active > 0) {
+    coord_copy(active.box.min(), t.lo);
+    coord_copy(active.box.max(), t.hi);
+  }
   t.stale = metadata_is_stale(grid, t);
   return t;
 }

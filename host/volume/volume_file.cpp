@@ -16,9 +16,8 @@ struct FormatRow {
   std::vector<VolumeGridInfo> (*list)(const fs::path&, bool voxels);
   Grid (*read)(const fs::path&, const std::string& grid_name, const VolumeValues&);
   VolumeFirst (*read_first)(const fs::path&);
-  void (*prepare)();
 };
-constexpr FormatRow FORMATS[] = {{".vdb", vdb_list, vdb_read, vdb_read_first, volume_program_start}};
+constexpr FormatRow FORMATS[] = {{".vdb", vdb_list, vdb_read, vdb_read_first}};
 
 // The format of a file that exists and is not empty.
 const FormatRow& format_of(const fs::path& file) {
@@ -43,11 +42,6 @@ std::vector<std::string> volume_endings() {
   std::vector<std::string> endings;
   for (const FormatRow& row : FORMATS) endings.emplace_back(row.ending);
   return endings;
-}
-
-void volume_prepare(const fs::path& file) {
-  for (const FormatRow& row : FORMATS)
-    if (file_ending(file) == row.ending) row.prepare();
 }
 
 std::vector<VolumeGridInfo> volume_list(const fs::path& file, bool voxels) {

@@ -41,10 +41,6 @@ struct VolumeGridInfo {
 // The endings of the files that are read: ".vdb".
 std::vector<std::string> volume_endings();
 
-// To be called where there is other work before `file` is read: what reads it is loaded meanwhile. RuntimeError where
-// that cannot be started.
-void volume_prepare(const std::filesystem::path& file);
-
 // The grids of a file in its order, `voxels`: read whole, so that nothing is left that could refuse them. Throws
 // InputError for files that cannot be read.
 std::vector<VolumeGridInfo> volume_list(const std::filesystem::path& file, bool voxels = false);

@@ -52,17 +52,7 @@ void pour(VolumeFrame kind, VolumePayload& payload, const VolumeProgram::Sink& s
     while (payload.count<VolumeTile>() > 0) sink.tile(payload.take<VolumeTile>());
 }
 
-// Started ahead. Nobody ends it: where brume ends its socket closes, and it ends by itself.
-HelperChild& ahead() {
-  static HelperChild child;
-  return child;
-}
-
 }  // namespace
-
-void volume_program_start() {
-  if (ahead().id <= 0) ahead() = helper_start(volume_program_file());
-}
 
 std::filesystem::path volume_program_file() { return helper_program_file("brume-volume", "volumes"); }
 
@@ -73,8 +63,7 @@ bool volume_send(HelperProgram& program, VolumeFrame kind, const void* data, std
 }
 
 VolumeProgram::VolumeProgram(const std::filesystem::path& file)
-    : file_(file.string()),
-      program_(ahead().id > 0 ? std::exchange(ahead(), {}) : helper_start(volume_program_file())) {
+    : file_(file.string()), program_(volume_program_file()) {
   const std::string absolute = std::filesystem::absolute(file).string();
   if (!volume_send(program_, VolumeFrame::OPEN, nullptr, 0, volume_texts({absolute}))) fail_dead();
   VolumePayload payload;

@@ -49,8 +49,5 @@ class VolumeProgram {
 bool volume_send(HelperProgram& program, VolumeFrame kind, const void* data, std::size_t bytes,
                  const std::string& texts = {});
 std::filesystem::path volume_program_file();
-// Starts the program for the file that is opened next, and returns at once: half of reading a small file is the loading
-// of its libraries. RuntimeError where it cannot be started. For one thread.
-void volume_program_start();
 
 }  // namespace brume

@@ -75,6 +75,48 @@ TEST_F(KernelCache, TwoDamagedCachesAreNamed) {
   EXPECT_FALSE(files().count("b.exr"));
 }
 
+// brume's own files in it.
+
+TEST_F(KernelCache, AKeptProgramRendersTheSame) {
+  const fs::path kept = folder_ / "kernels/brume";
+  ASSERT_EQ(std::distance(fs::directory_iterator(kept), {}), 1);
+  for (const auto& entry : fs::directory_iterator(folder_ / "kernels"))
+    if (entry.path() != kept) fs::remove_all(entry);  // what PoCL knows by itself
+  const Outcome r = run("render a.json -o a.exr", cache());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.err, testing::Not(HasSubstr("note")));
+  EXPECT_EQ(run("compare a.exr good.exr --fail-above 0").exit_code, 0);
+}
+
+TEST_F(KernelCache, ADamagedProgramIsToldOnceAndBuiltAgain) {
+  damage("kernels/brume", ".program", 0.5, false);
+  const Outcome r = run("render a.json -o a.exr", cache());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.err, HasSubstr(".program was damaged: it is removed, and built again\n"));
+  EXPECT_EQ(run("compare a.exr good.exr --fail-above 0").exit_code, 0);
+  EXPECT_THAT(run("render a.json -o b.exr", cache()).err, testing::Not(HasSubstr("note")));
+}
+
+TEST_F(KernelCache, WhereNoProgramCanBeKeptItIsBuilt) {
+  fs::remove_all(folder_ / "kernels/brume");
+  write("kernels/brume", "not a folder");
+  const Outcome r = run("render a.json -o a.exr", cache());
+  EXPECT_EQ(r.exit_code, 0) << r.err;
+  EXPECT_THAT(r.err, testing::Not(HasSubstr("note")));
+}
+
+TEST_F(KernelCache, TwoAtOnceKeepOneWholeProgram) {
+  fs::remove_all(folder_ / "kernels");
+  const std::string render = "env " + cache() + " " BRUME_BINARY " render a.json --quiet -o ";
+  const std::string both =
+      "cd " + folder_.string() + " && { " + render + "a.exr & " + render + "b.exr; first=$?; wait $! && exit $first; }";
+  EXPECT_EQ(std::system(both.c_str()), 0);
+  for (const char* picture : {"a.exr", "b.exr"})
+    EXPECT_EQ(run(std::string("compare good.exr --fail-above 0 ") + picture).exit_code, 0);
+  ASSERT_EQ(std::distance(fs::directory_iterator(folder_ / "kernels/brume"), {}), 1);
+  EXPECT_THAT(run("render a.json -o c.exr", cache()).err, testing::Not(HasSubstr("note")));
+}
+
 TEST_F(KernelCache, AnEmptyNameIsNone) {
   const Outcome r = run("render a.json -o a.exr --quiet", "POCL_CACHE_DIR= XDG_CACHE_HOME=" + folder_.string());
   EXPECT_EQ(r.exit_code, 0) << r.err;

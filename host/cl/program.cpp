@@ -97,11 +97,24 @@ cl::Kernel kernel_create(const cl::Program& program, const char* name) {
   }
 }
 
+namespace {
+
+std::string all_options(const std::string& options) { return "-cl-std=CL1.2 -w " + options; }
+
+}  // namespace
+
+bool program_at_hand(const Context& context, const std::string& source, const std::string& options) {
+  if (context.programs().count({source, options}) > 0) return true;
+  const std::filesystem::path file = program_file(context.device(), source, all_options(options));
+  std::error_code ignored;
+  return !file.empty() && std::filesystem::exists(file, ignored);
+}
+
 cl::Program program_build(const Context& context, const std::string& source, const std::string& options) {
   const auto known = context.programs().find({source, options});
   if (known != context.programs().end()) return known->second.program;
   const DriverGuard guard;
-  const std::string all = "-cl-std=CL1.2 -w " + options;
+  const std::string all = all_options(options);
   const std::filesystem::path file = program_file(context.device(), source, all);
   const std::optional<cl::Program> kept = program_load(context, file, all);
   const Context::Built built =

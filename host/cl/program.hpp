@@ -21,6 +21,10 @@ cl::Kernel kernel_create(const cl::Program& program, const char* name);
 // build log and keeps the source in the temporary folder.
 cl::Program program_build(const Context& context, const std::string& source, const std::string& options);
 
+// Whether program_build() would find it: built already, or kept in a file. Drivers that keep programs themselves do not
+// tell.
+bool program_at_hand(const Context& context, const std::string& source, const std::string& options);
+
 // To be called when all kernels of a program have been launched: keeps it for the next start (program_cache.hpp).
 void program_used(const Context& context, const cl::Program& program);
 

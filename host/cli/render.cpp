@@ -1,6 +1,7 @@
 // brume render: scene (or bare volume, or mesh) → pictures. Reads as the pipeline: description → flat → device → film →
 // images.
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <functional>
@@ -93,6 +94,13 @@ std::filesystem::path part_output(const RenderArguments& arguments, ivec2 size) 
   for (const std::filesystem::path& output : arguments.outputs)
     if (image_format_of_output(output).output == ImageOutput::LINEAR) return output;
   return {};
+}
+
+// Whether 8 bits are all that is seen of the picture: not the last digits, in which generic kernels round otherwise.
+bool only_displayed(const RenderArguments& arguments) {
+  return std::all_of(arguments.outputs.begin(), arguments.outputs.end(), [](const std::filesystem::path& output) {
+    return image_format_of_output(output).output == ImageOutput::DISPLAY;
+  });
 }
 
 void check_part(const RenderArguments& arguments, ivec2 size) {
@@ -218,7 +226,7 @@ int picture_make(const RenderArguments& arguments, const Prepared& prepared, Con
   const WorkList work = work_missing(flat.frame, samples_parse(arguments.samples, desc.film.spp), part.cover);
   const std::filesystem::path part_file = part_output(arguments, desc.film.size);
 
-  Renderer renderer(context, flat, {lanes, arguments.generic, 0});
+  Renderer renderer(context, flat, {lanes, arguments.generic, 0, only_displayed(arguments)});
   PictureError error;
   const auto write = [&](bool complete) {
     const std::size_t known = notes.size();

@@ -49,6 +49,7 @@ std::string render_stats_json(const SceneDesc& desc, const PlannedScene& flat, c
       {"version", VERSION},
       {"device", device.title()},
       {"lanes", stats.lanes},
+      {"generic_kernels", stats.generic},
       {"method", method_names(flat)},
       {"step", desc.render.step},
       {"media", media_json(flat)},

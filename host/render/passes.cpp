@@ -16,15 +16,28 @@ namespace brume {
 
 namespace {
 
-// What a pass reads of the scene: nothing, or all of it.
+bool always(const FlatScene&, const RenderPlan&) { return true; }
+bool has_light_grids(const FlatScene&, const RenderPlan& plan) { return !plan.light_grids.empty(); }
+bool has_surfaces(const FlatScene& scene, const RenderPlan&) {
+  return !scene.shapes.empty() || !scene.triangles.empty();
+}
+bool has_specular(const FlatScene& scene, const RenderPlan& plan) {
+  return has_surfaces(scene, plan) && plan.frame.max_depth > 0 && scene_is_specular(scene);
+}
+
 struct PassRow {
   const char* name;
-  bool takes_scene;
+  bool takes_scene;  // reads all of it, or nothing
+  bool (*runs)(const FlatScene&, const RenderPlan&);
 };
 // In the order of Passes::Id.
-constexpr PassRow PASSES[] = {{"light_grid", true},           {"primary_rays", true}, {"traverse_dda", true},
-                              {"shadow_transmittance", true}, {"shade", true},        {"secondary_rays", false},
-                              {"accumulate", false}};
+constexpr PassRow PASSES[] = {{"light_grid", true, has_light_grids},
+                              {"primary_rays", true, always},
+                              {"traverse_dda", true, always},
+                              {"shadow_transmittance", true, has_surfaces},
+                              {"shade", true, always},
+                              {"secondary_rays", false, has_specular},
+                              {"accumulate", false, always}};
 
 // Rays that a wave has room for, at least: what one sample may send on.
 constexpr std::size_t WAVE_LEAST = 2 * SECONDARY_RAYS_MAX;
@@ -41,13 +54,20 @@ double event_seconds(const cl::Event& event) {
 
 }  // namespace
 
+std::string passes_source(const FlatScene& scene, const RenderPlan& plan) {
+  std::string text;
+  for (const PassRow& pass : PASSES)
+    if (pass.runs(scene, plan)) text += std::string("#include \"passes/") + pass.name + ".cl\"\n";
+  return kernel_source_text(text, "passes");
+}
+
 Passes::Passes(Context& context, std::shared_ptr<DeviceScene> device_scene, const RenderPlan& plan,
                const std::string& options, int tau_channels, std::size_t batch_rays)
     : context_(context),
       device_scene_(std::move(device_scene)),
       scene_(context, *device_scene_, plan, tau_channels),
-      has_surfaces_(!device_scene_->flat().shapes.empty() || !device_scene_->flat().triangles.empty()),
-      has_specular_(has_surfaces_ && plan.frame.max_depth > 0 && scene_is_specular(device_scene_->flat())),
+      has_surfaces_(has_surfaces(device_scene_->flat(), plan)),
+      has_specular_(has_specular(device_scene_->flat(), plan)),
       unit_(static_cast<cl_float>(device_scene_->flat().unit)),
       group_(std::min(context.device().cpu ? GROUP_CPU : GROUP_GPU, context.device().max_group)) {
   static_assert(std::size(PASSES) == PASS_COUNT, "one row per pass");
@@ -55,14 +75,8 @@ Passes::Passes(Context& context, std::shared_ptr<DeviceScene> device_scene, cons
   create_buffers(batch_rays);
   plan_light_grids(device_scene_->flat(), plan);
   upload_seconds_ = watch_.lap();
-  create_kernels(options);
+  create_kernels(plan, options);
   build_seconds_ = watch_.lap();
-}
-
-bool Passes::runs(Id id) const {
-  if (id == LIGHT_GRID) return !light_grids_.empty();
-  if (id == SHADOW_TRANSMITTANCE) return has_surfaces_;
-  return id != SECONDARY_RAYS || has_specular_;
 }
 
 void Passes::plan_light_grids(const FlatScene& scene, const RenderPlan& plan) {
@@ -89,21 +103,19 @@ void Passes::create_buffers(std::size_t batch_rays) {
   pixels_ = context_.buffer("pixels", batch_rays * sizeof(FilmPixel));
 }
 
-// One program for all passes: the front end reads the shared text once. PoCL compiles a kernel at its first launch: an
+// PoCL compiles a kernel at its first launch: an
 // empty one moves that out of the render time.
-void Passes::create_kernels(const std::string& options) {
-  std::string text;
-  for (int id = 0; id < PASS_COUNT; ++id)
-    if (runs(static_cast<Id>(id))) text += std::string("#include \"passes/") + PASSES[id].name + ".cl\"\n";
+void Passes::create_kernels(const RenderPlan& plan, const std::string& options) {
+  const FlatScene& scene = device_scene_->flat();
   const DriverGuard guard;
-  const cl::Program program = program_build(context_, kernel_source_text(text, "passes"), options);
+  const cl::Program program = program_build(context_, passes_source(scene, plan), options);
   for (int id = 0; id < PASS_COUNT; ++id) {
-    if (!runs(static_cast<Id>(id))) continue;
+    if (!PASSES[id].runs(scene, plan)) continue;
     kernels_[id] = kernel_create(program, PASSES[id].name);
     if (PASSES[id].takes_scene) first_argument_[id] = scene_.set_arguments(kernels_[id]);
   }
   try {
-    if (runs(LIGHT_GRID)) enqueue(LIGHT_GRID, 0, cl_int(0), cl_int(0), cl_uint(0), cl_uint(0), scene_.light_tau());
+    if (!light_grids_.empty()) enqueue(LIGHT_GRID, 0, cl_int(0), cl_int(0), cl_uint(0), cl_uint(0), scene_.light_tau());
     enqueue_wave(0, 0, 0, 0);
     if (has_specular_) next_wave(0);
     enqueue(ACCUMULATE, 0, work_, cl_uint(0), unit_, samples_, pixels_);

@@ -14,6 +14,9 @@
 
 namespace brume {
 
+// The kernels of one picture of a scene as one text: the front end reads what they share once.
+std::string passes_source(const FlatScene& scene, const RenderPlan& plan);
+
 class Passes {
  public:
   // options: of kernel_options(), which `tau_channels` must fit. A batch has at most batch_rays rays.
@@ -51,8 +54,7 @@ class Passes {
     ACCUMULATE,
     PASS_COUNT
   };
-  bool runs(Id id) const;
-  void create_kernels(const std::string& options);
+  void create_kernels(const RenderPlan& plan, const std::string& options);
   void plan_light_grids(const FlatScene& scene, const RenderPlan& plan);
   void create_buffers(std::size_t batch_rays);
   template <class... Values>

@@ -18,6 +18,7 @@ struct RenderOptions {
   int lanes = 0;         // 0: the device's own choice
   bool generic = false;  // kernels with every feature, not only those of the scene
   int batch_rays = 0;    // rays in flight; 0: by device
+  bool sooner = false;   // generic ones for a small picture too, where those of the scene would have to be built
 };
 
 struct PassStats {
@@ -37,6 +38,7 @@ struct RenderCounts {
 // Seconds and passes: of all that the renderer did.
 struct RenderStats : RenderCounts {
   int lanes = 0;
+  bool generic = false;  // its kernels
   double kernel_build_s = 0, upload_s = 0, render_s = 0;
   std::vector<PassStats> passes;
   std::size_t device_bytes = 0, voxel_bytes = 0, bvh_bytes = 0;

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "program.hpp"
 
@@ -136,6 +137,35 @@ TEST_F(KernelCache, OneThatCannotBeWrittenIsToldAndKeptElsewhere) {
   const Outcome open = run("render a.json -o b.exr", environment);
   EXPECT_EQ(open.exit_code, 1);
   EXPECT_THAT(open.err, HasSubstr("the kernel cache /dev/null/x cannot be written"));
+}
+
+// Whether a render took generic kernels.
+class GenericKernels : public KernelCache {
+ protected:
+  bool generic(const std::string& options) {
+    EXPECT_EQ(run("render b.json -o b.png --quiet --stats s.json " + options, cache()).exit_code, 0);
+    return nlohmann::json::parse(text(folder_ / "s.json")).at("generic_kernels");
+  }
+};
+
+TEST_F(GenericKernels, ServeASmallPictureWhileTheSceneHasNoneOfItsOwn) {
+  std::string checkered = BALL;
+  checkered.replace(checkered.find("\"diffuse\""), 0, "\"texture\": {\"type\": \"checker\"}, ");
+  write("b.json", checkered);
+  ASSERT_EQ(run("render a.json -o c.exr --quiet --generic", cache()).exit_code, 0);
+  EXPECT_TRUE(generic(""));
+  EXPECT_TRUE(generic(""));
+  EXPECT_FALSE(generic("-o b.exr"));  // from now on the scene has kernels
+  EXPECT_FALSE(generic(""));
+  EXPECT_TRUE(generic("--generic"));
+}
+
+TEST_F(GenericKernels, AreNotForLargePictures) {
+  std::string two = BALL;
+  two.replace(two.find("\"diffuse\""), 0, "\"texture\": {\"type\": \"checker\"}, ");
+  write("b.json", two);
+  ASSERT_EQ(run("render a.json -o c.exr --quiet --generic", cache()).exit_code, 0);
+  EXPECT_FALSE(generic("--size 320x320"));
 }
 
 }  // namespace

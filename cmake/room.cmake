@@ -1,6 +1,7 @@
-# brume_room(NAME [APART] [LINKS rooms...] [LIBRARIES targets...]): the static library brume_NAME of host/NAME/**.cpp.
-# LINKS are seen by everyone who links the room, LIBRARIES only by the room itself.
-# APART: its files use the same names, so that they cannot be compiled together (defaults.cmake).
+# brume_room(NAME [APART] [CALM] [LINKS rooms...] [LIBRARIES targets...]): the static library brume_NAME of
+# host/NAME/**.cpp. LINKS are seen by everyone who links the room, LIBRARIES only by the room itself.
+# APART: its files use the same names, so that they cannot be compiled together. CALM: it spends no time itself. Both:
+# defaults.cmake.
 # A room of headers alone becomes an INTERFACE library.
 add_library(brume_roots INTERFACE)
 target_include_directories(brume_roots INTERFACE "${PROJECT_SOURCE_DIR}/host" "${PROJECT_SOURCE_DIR}/kernels"
@@ -8,7 +9,7 @@ target_include_directories(brume_roots INTERFACE "${PROJECT_SOURCE_DIR}/host" "$
 target_link_libraries(brume_roots INTERFACE glm::glm)
 
 function(brume_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 room "APART" "" "LINKS;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 room "APART;CALM" "" "LINKS;LIBRARIES")
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/host/${name}/*.cpp")
   list(TRANSFORM room_LINKS PREPEND brume_)
   if(sources)
@@ -16,6 +17,9 @@ function(brume_room name)
     target_link_libraries(brume_${name} PUBLIC brume_roots ${room_LINKS} PRIVATE ${room_LIBRARIES})
     if(NOT room_APART)
       brume_join(brume_${name})
+    endif()
+    if(room_CALM)
+      brume_calm(brume_${name})
     endif()
   else()
     add_library(brume_${name} INTERFACE)

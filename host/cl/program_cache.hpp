@@ -1,6 +1,6 @@
 // Programs as PoCL hands them out when they are built, kept in files within its kernel cache. It finds its own files by
-// the preprocessed source, which takes it 0.03 s a start; these are found by the source as it is. Whatever is wrong with
-// them, programs are built from their source.
+// the preprocessed source, which takes it 0.03 s a start; these are found by the source as it is. Whatever is wrong
+// with them, programs are built from their source.
 #pragma once
 #include <filesystem>
 #include <optional>

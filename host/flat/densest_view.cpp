@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <future>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <map>
@@ -120,7 +121,8 @@ class Picture {
   }
   void bounds_find(const std::vector<ivec3>& blocks);
   void block_add(const ivec3& b);
-  void add(const dvec3& lattice, double mass);
+  void row_add(const dvec3& first, const float* samples);
+  void add(const dvec3& seen, double mass);
 
   const View& view_;
   const Grid& grid_;
@@ -158,13 +160,19 @@ void Picture::bounds_find(const std::vector<ivec3>& blocks) {
 void Picture::block_add(const ivec3& b) {
   const float* samples = grid_.block(b);
   const dvec3 first = dvec3(b * GRID_BLOCK) + 0.5;
-  if (grid_.block_uniform(b)) return add(first + 3.5, 512.0 * samples[0]);
-  for (int i = 0; i < 512; ++i)
-    if (samples[i] > 0) add(first + dvec3(i & 7, i >> 3 & 7, i >> 6), samples[i]);
+  if (grid_.block_uniform(b)) return add(seen(first + 3.5), 512.0 * samples[0]);
+  for (int row = 0; row < 512; row += GRID_BLOCK) row_add(first + dvec3(0, row >> 3 & 7, row >> 6), samples + row);
 }
 
-void Picture::add(const dvec3& lattice, double mass) {
-  const dvec3 p = seen(lattice);
+// Voxels along x. Where they are seen is found for all at once.
+void Picture::row_add(const dvec3& first, const float* samples) {
+  dvec3 p[GRID_BLOCK];
+  for (int i = 0; i < GRID_BLOCK; ++i) p[i] = seen(first + dvec3(i, 0, 0));
+  for (int i = 0; i < GRID_BLOCK; ++i)
+    if (samples[i] > 0) add(p[i], samples[i]);
+}
+
+void Picture::add(const dvec3& p, double mass) {
   const int x = std::clamp(static_cast<int>((p.x - lo_.x) * per_pixel_), 0, width_ - 1);
   const int y = std::clamp(static_cast<int>((p.y - lo_.y) * per_pixel_), 0, height_ - 1);
   Pixel& pixel = pixels_[std::size_t(y) * std::size_t(width_) + std::size_t(x)];
@@ -231,21 +239,25 @@ double grid_densest_view(const Grid& grid, const dvec3& eye, const dvec3& target
     return grid_line_integral(grid, blocks, eye, view.direction(at.x, at.y));
   };
   const double rays = std::clamp<double>(BOXES_MAX / double(blocks.all.size()), RAYS_MIN, RAYS_MAX);
-  double best = 0;
-  glm::dvec2 at(0);
-  for (const glm::dvec2& candidate : picture.candidates(static_cast<std::size_t>(rays))) {
-    const double found = along(candidate);
-    if (found <= best) continue;
-    best = found;
-    at = candidate;
-  }
+  const std::vector<glm::dvec2> candidates = picture.candidates(static_cast<std::size_t>(rays));
+  if (candidates.empty()) return 0;
+  std::vector<double> found(candidates.size());
+  const auto every_second = [&](std::size_t first) {
+    for (std::size_t i = first; i < candidates.size(); i += 2) found[i] = along(candidates[i]);
+  };
+  std::future<void> others = std::async(std::launch::async, every_second, 1);
+  every_second(0);
+  others.get();
+  const auto densest = std::max_element(found.begin(), found.end());
+  double best = *densest;
+  glm::dvec2 at = candidates[static_cast<std::size_t>(densest - found.begin())];
   double step = 0.5 * picture.pixel();
   for (int round = 0; round < UPHILL; ++round) {
     const glm::dvec2 here = at;
     for (const glm::dvec2& way : {glm::dvec2(1, 0), glm::dvec2(-1, 0), glm::dvec2(0, 1), glm::dvec2(0, -1)}) {
-      const double found = along(here + step * way);
-      if (found <= best) continue;
-      best = found;
+      const double there = along(here + step * way);
+      if (there <= best) continue;
+      best = there;
       at = here + step * way;
     }
     if (at == here) step *= 0.5;

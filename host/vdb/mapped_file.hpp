@@ -1,5 +1,5 @@
-// A file as a stream over its bytes in memory. OpenVDB looks for a place before every leaf, and a std::filebuf reads its
-// 8 KiB again each time: of a file of 2.6 MB 30 MB. Private to host/vdb.
+// A file as a stream over its bytes in memory. OpenVDB looks for a place before every leaf, and a std::filebuf reads
+// its 8 KiB again each time: 5 MB of a file of 0.84 MB. Private to host/vdb.
 #pragma once
 #include <cstddef>
 #include <filesystem>

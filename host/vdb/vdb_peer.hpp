@@ -22,8 +22,7 @@ class VdbPeer {
     if (!helper_receive(socket_, &head, sizeof head) || head.protocol != VOLUME_PROTOCOL ||
         head.bytes > VOLUME_FRAME_MAX)
       return false;
-    payload = {};
-    payload.bytes.resize(head.bytes);
+    payload.begin(head.bytes);
     return helper_receive(socket_, payload.bytes.data(), payload.bytes.size());
   }
 

@@ -83,8 +83,7 @@ VolumeFrame VolumeProgram::receive(VolumePayload& payload, const std::string& wh
   if (!program_.receive(&head, sizeof head)) fail_dead();
   if (head.protocol != VOLUME_PROTOCOL || head.bytes > VOLUME_FRAME_MAX)
     throw RuntimeError(file_ + ": brume-volume is of another version than brume, or the file has damaged it");
-  payload = {};
-  payload.bytes.resize(head.bytes);
+  payload.begin(head.bytes);
   if (!program_.receive(payload.bytes.data(), payload.bytes.size())) fail_dead();
   if (head.kind == VolumeFrame::FAILED) throw InputError(where + ": " + one_line(payload.take_text()));
   return head.kind;

@@ -85,6 +85,11 @@ inline std::string volume_texts(const std::vector<std::string>& texts) {
 class VolumePayload {
  public:
   std::vector<char> bytes;
+  // Room for the next frame, in the memory of this one.
+  void begin(std::size_t size) {
+    bytes.resize(size);
+    at_ = 0;
+  }
   template <class T>
   T take() {
     T value{};

@@ -66,6 +66,7 @@ TEST_F(ProgramFiles, AnyDamagedByteIsSeenAndTheFileRemoved) {
   const fs::path file = folder_ / "a.program";
   program_file_write(file, "some binary");
   const std::string good = text(file);
+  testing::internal::CaptureStderr();
   for (std::size_t i = 0; i < good.size(); ++i) {
     std::string bad = good;
     bad[i] = static_cast<char>(bad[i] ^ 4);
@@ -81,6 +82,7 @@ TEST_F(ProgramFiles, AnyDamagedByteIsSeenAndTheFileRemoved) {
   EXPECT_FALSE(program_file_read(file));
   write(folder_ / "b.program", good);
   EXPECT_FALSE(program_file_read(folder_ / "b.program")) << "it was another's";
+  EXPECT_THAT(testing::internal::GetCapturedStderr(), testing::HasSubstr("b.program was damaged"));
 }
 
 TEST_F(ProgramFiles, TheOldestGo) {

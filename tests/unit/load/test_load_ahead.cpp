@@ -1,0 +1,47 @@
+// What is loaded ahead is there when it is asked for; what cannot be loaded says so then, and not before.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "base/error.hpp"
+#include "load/load_ahead.hpp"
+
+namespace brume {
+namespace {
+
+MediumDesc perlin(int seed) {
+  MediumDesc medium;
+  medium.density.type = "perlin";
+  medium.density.resolution = {8, 8, 8};
+  medium.density.seed = seed;
+  return medium;
+}
+
+TEST(LoadAhead, LoadsDensitiesOnce) {
+  SceneDesc desc;
+  desc.media = {perlin(1), perlin(2), perlin(1), MediumDesc{}};
+  desc.media[1].emission_density = std::make_shared<DensityDesc>(perlin(3).density);
+  LoadedScene loaded;
+  { const LoadAhead ahead(loaded, desc); }
+  EXPECT_EQ(loaded.costs().size(), 3u);  // a constant is none
+  const std::shared_ptr<Grid> grid = loaded.grid(desc.media[0].density);
+  EXPECT_EQ(loaded.costs().size(), 3u);
+  EXPECT_EQ(grid.use_count(), 2) << "the thread holds nothing any more";
+}
+
+TEST(LoadAhead, WhatCannotBeLoadedIsToldWhenItIsAskedFor) {
+  SceneDesc desc;
+  desc.media = {perlin(1), MediumDesc{}};
+  desc.media[1].density.type = "file";
+  desc.media[1].density.file = "/nowhere/a.vdb";
+  desc.shapes.push_back({MeshDesc{"/nowhere/a.obj", {}, {}, {}}, -1, "/shapes/0"});
+  LoadedScene loaded;
+  { const LoadAhead ahead(loaded, desc); }
+  EXPECT_EQ(loaded.costs().size(), 1u);
+  EXPECT_THROW(loaded.grid(desc.media[1].density), InputError);
+  EXPECT_THROW(loaded.mesh("/nowhere/a.obj"), InputError);
+}
+
+}  // namespace
+}  // namespace brume

@@ -4,6 +4,8 @@
 #include "base/number_text.hpp"
 #include "pilot/goal.hpp"
 #include "pilot/pilot.hpp"
+#include "pilot/refine.hpp"
+#include "render/device_scene.hpp"
 #include "scene/families.hpp"
 
 namespace brume {
@@ -20,6 +22,10 @@ std::string knobs_text(const Knobs& knobs) {
   if (knobs.step > 0) text += ", step " + number_text(knobs.step, 3);
   if (knobs.rule != IN_SCATTERING_SEGMENT) text += ", " + std::string(family_name(in_scattering_family(), knobs.rule));
   return text + (knobs.light_grid > 0 ? ", light grid " + std::to_string(knobs.light_grid) : ", light traced");
+}
+
+bool goal_missed(const RenderDesc& goal, const WitnessError& error) {
+  return goal.max_error && error.pixels > 0 && error_in(error, goal.error_metric) > *goal.max_error;
 }
 
 std::string out_of_reach(const RenderDesc& goal, const PilotTrial& trial) {
@@ -53,10 +59,31 @@ SceneDesc picture_for_goal(const RenderArguments& arguments, const SceneDesc& de
   return knobs_apply(desc, trial.knobs);
 }
 
+void picture_refine_for_goal(const RenderArguments& arguments, const SceneDesc& desc, const PlannedScene& flat,
+                             Context& context, const Renderer& renderer, Film& film, PictureError& error,
+                             const std::function<void(const std::string&)>& say) {
+  constexpr int REFINEMENTS = 3;
+  constexpr double HELPED = 0.9;  // of the error before
+  const RenderDesc& goal = desc.render;
+  std::optional<SceneDesc> finer = desc;
+  for (int i = 0; i < REFINEMENTS && goal_missed(goal, error.witness); ++i) {
+    finer = settings_finer(*finer);
+    if (!finer) return;
+    const RenderPlan plan = plan_render(*finer, renderer.scene()->flat(), {arguments.crop_box(), arguments.alpha});
+    Renderer by_finer(context, renderer.scene(), plan, {renderer.stats().lanes, renderer.stats().generic, 0});
+    const double before = error_in(error.witness, goal.error_metric);
+    const double share = picture_refine(by_finer, plan.frame, goal, film);
+    error = picture_error(flat, film, arguments.witness, renderer.stats().render_s, goal);
+    const double after = error_in(error.witness, goal.error_metric);
+    say("refined " + number_text(100 * share, 2) + " % of the pixels: " + metric_name(goal) + " " +
+        number_text(before, 2) + " -> " + number_text(after, 2));
+    if (after > HELPED * before) return;
+  }
+}
+
 std::string goal_missed_note(const RenderDesc& goal, const WitnessError& error) {
-  if (!goal.max_error || error.pixels == 0) return "";
+  if (!goal_missed(goal, error)) return "";
   const double is = error_in(error, goal.error_metric);
-  if (is <= *goal.max_error) return "";
   return "max_error " + number_text(*goal.max_error) + " is not reached: witnesses say " + metric_name(goal) + " " +
          number_text(is, 2);
 }

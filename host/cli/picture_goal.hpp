@@ -4,8 +4,11 @@
 #include <string>
 
 #include "cl/context.hpp"
+#include "cli/picture_error.hpp"
 #include "cli/render_arguments.hpp"
 #include "load/loaded_scene.hpp"
+#include "plan/planned_scene.hpp"
+#include "render/renderer.hpp"
 #include "scene/scene_desc.hpp"
 #include "witness/witnesses.hpp"
 
@@ -16,6 +19,13 @@ namespace brume {
 SceneDesc picture_for_goal(const RenderArguments& arguments, const SceneDesc& desc, LoadedScene& loaded,
                            Context& context, int lanes, std::vector<std::string>& notes,
                            const std::function<void(const std::string&)>& say);
+
+// A finished picture whose witnesses say that it is further off than its scene asks for: refined by finer settings, as
+// long as that helps and at most three times, and asked again. Of every time `say` tells. Throws Interrupted, the film
+// complete as it was before or refined.
+void picture_refine_for_goal(const RenderArguments& arguments, const SceneDesc& desc, const PlannedScene& flat,
+                             Context& context, const Renderer& renderer, Film& film, PictureError& error,
+                             const std::function<void(const std::string&)>& say);
 
 // A note where the error that a finished picture was told is above what its scene asks for; else empty.
 std::string goal_missed_note(const RenderDesc& goal, const WitnessError& error);

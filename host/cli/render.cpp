@@ -203,12 +203,17 @@ Prepared prepare(const RenderArguments& arguments, const SceneDesc& asked, Loade
   return made;
 }
 
-// False where it was interrupted.
-bool error_measure(const RenderArguments& arguments, const Prepared& prepared, const Film& film, double render_s,
-                   PictureError& error) {
+// And refines what is further off than asked for. False where it was interrupted.
+bool error_measure(const RenderArguments& arguments, const Prepared& prepared, const Renderer& renderer,
+                   Context& context, Film& film, PictureError& error) {
+  const SceneDesc& desc = prepared.desc;
   try {
-    if (arguments.samples.empty())
-      error = picture_error(prepared.flat, film, arguments.witness, render_s, prepared.desc.render);
+    if (!arguments.samples.empty()) return true;
+    error = picture_error(prepared.flat, film, arguments.witness, renderer.stats().render_s, desc.render);
+    // What is refined is no sum of the samples that parts are joined of.
+    if (!arguments.in_part() && arguments.resume.empty())
+      picture_refine_for_goal(arguments, desc, prepared.flat, context, renderer, film, error,
+                              [&](const std::string& text) { say(arguments, text); });
     return true;
   } catch (const Interrupted&) {
     return false;
@@ -252,7 +257,7 @@ int picture_make(const RenderArguments& arguments, const Prepared& prepared, Con
   };
   bool unknown = false;  // an interruption left the error of a complete picture open
   const bool complete = render_film(arguments, renderer, work, film, rescue, [&] {
-    unknown = !error_measure(arguments, prepared, film, renderer.stats().render_s, error);
+    unknown = !error_measure(arguments, prepared, renderer, context, film, error);
   });
   write(complete);
   say(arguments, render_summary(desc, flat, context.device(), renderer.stats(), error, times));

@@ -23,6 +23,7 @@ class Passes {
   Passes(Context& context, std::shared_ptr<DeviceScene> device_scene, const RenderPlan& plan,
          const std::string& options, int tau_channels, std::size_t batch_rays);
 
+  const std::shared_ptr<DeviceScene>& scene() const { return device_scene_; }
   double build_seconds() const { return build_seconds_; }
   double upload_seconds() const { return upload_seconds_; }
   double scene_upload_seconds() const { return device_scene_->upload_seconds(); }

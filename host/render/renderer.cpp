@@ -120,6 +120,8 @@ Renderer::~Renderer() = default;
 
 const RenderStats& Renderer::stats() const { return state_->stats; }
 
+const std::shared_ptr<DeviceScene>& Renderer::scene() const { return state_->passes->scene(); }
+
 bool Renderer::render(Film& film, const Progress& progress) { return render(film, work_all(state_->frame), progress); }
 
 bool Renderer::render(Film& film, const WorkList& work, const Progress& progress) {

@@ -65,6 +65,7 @@ class Renderer {
   bool render(Film& film, const WorkList& work, const Progress& progress);
   bool render(Film& film, const Progress& progress);  // work_all
   const RenderStats& stats() const;
+  const std::shared_ptr<DeviceScene>& scene() const;  // as uploaded, for other plans of it
 
  private:
   struct State;

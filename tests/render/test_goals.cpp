@@ -42,6 +42,12 @@ TEST_F(Goals, AreMetByTheWholePicture) {
   EXPECT_LE(error.at("estimate"), 0.05) << said_;
 }
 
+// A method that is too coarse by itself, and whose pilot has no other choice: march_midpoint at light grids.
+TEST_F(Goals, AreReachedByRefiningWhatIsThere) {
+  const nlohmann::json error = error_of("--witness 768 --max-error 0.004 --method march_midpoint");
+  EXPECT_LE(error.at("estimate"), 0.004) << said_;
+}
+
 TEST_F(Goals, OutOfReachAreTold) {
   const nlohmann::json error = error_of("--witness 768 --max-error 1e-9 --strict", 1);
   EXPECT_GT(error.at("estimate"), 1e-9);

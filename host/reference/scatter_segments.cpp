@@ -96,8 +96,24 @@ struct SegmentWalk {
     if (rule == IN_SCATTERING_RECTANGLE) return 1;
     const dvec3 along = takes_ends ? beside(segment).second : dvec3(0);
     const double depth = largest(sigma_t * segment.density_length + along);
-    const double parts_per_depth = rule == IN_SCATTERING_GAUSS2 ? 4 : 8;
-    return std::clamp(std::ceil(depth * parts_per_depth - 1.0 / 1024), 1.0, 256.0);
+    const double parts = rule == IN_SCATTERING_GAUSS2 ? std::max(4 * depth, light_parts(segment)) : 8 * depth;
+    return std::clamp(std::ceil(parts - 1.0 / 1024), 1.0, 256.0);
+  }
+
+  // So many that none is longer than a quarter of its way to a lamp.
+  double light_parts(const SegmentD& segment) const {
+    const PlannedScene& scene = context.scene;
+    double parts = 0;
+    if (medium.is_constant || vec_promote(medium.sigma_s) == dvec3(0)) return parts;
+    if (scene.frame.light_picks < static_cast<int>(scene.lights.size())) return parts;
+    for (const Light& light : scene.lights) {
+      if (light.type == LIGHT_DIRECTIONAL || light.exponent != 0) continue;
+      const dvec3 position = vec_promote(light.position);
+      const double nearest = std::clamp(glm::dot(position - ray.origin, ray.dir), segment.t_begin, segment.t_end);
+      const double distance = std::max(glm::length(ray.at(nearest) - position), 1e-15);
+      parts = std::max(parts, 4 * (segment.t_end - segment.t_begin) / distance);
+    }
+    return parts;
   }
 
   // Of ∫ρ over a segment within a cell, what its second point of two stands for.

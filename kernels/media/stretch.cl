@@ -2,6 +2,7 @@
 // cut.
 #ifndef BRUME_MEDIA_STRETCH_CL
 #define BRUME_MEDIA_STRETCH_CL
+#include "lights/lights.cl"
 #include "media/others.cl"
 
 // Collisions estimate exp(-τ) without bias, but nothing else of τ: scenes with trackers take light and the other media
@@ -21,6 +22,11 @@
 // by rounding.
 #define END_INSET 0x1p-14f
 #define PARTS_MAX 256.0f
+
+// A segment with light at two points is no longer than this share of its distance to a lamp.
+#define LIGHT_PART 0.25f
+
+#define LIGHTS_ALL(scene) ((scene)->frame->light_picks == (scene)->frame->light_count)
 
 // The rule by which the frame sums light; folds to a constant when kernels are made for it alone.
 #define IN_SCATTERING_IS(scene, id)                             \
@@ -161,10 +167,32 @@ typedef struct {
   int part;
 } Cut;
 
-// Cuts the segments if one of them is too dense; 0 if none is.
+// How many parts of each segment the lamps near it ask for.
+static inline floatW stretch_light_parts(const Scene* scene, const Stretch* s) {
+  const floatW begin = lanes_load(s->at->begin), size = lanes_load(s->at->size);
+  const float3 origin = vec_point(s->origin, s->dir, s->ray->t_begin);
+  floatW parts = (floatW)(0.0f);
+  for (int l = 0; l < scene->frame->light_count; ++l) {
+    const Light light = scene->lights[l];
+    if (LIGHT_IS(&light, DIRECTIONAL) || light.exponent != 0) continue;
+    const float3 to = vec_unpack(light.position) - origin;
+    const float along = dot(to, s->dir);
+    const float3 beside = to - along * s->dir;
+    const floatW ahead = fmax(fmax(begin - along, along - (begin + size)), (floatW)(0.0f));
+    parts =
+        fmax(parts, size * (1.0f / LIGHT_PART) / sqrt(mad_exact(ahead, ahead, (floatW)(dot(beside, beside) + 1e-30f))));
+  }
+  return parts;
+}
+
+// Cuts the segments if one of them is too dense, or too long beside a lamp; 0 if none is.
 static inline int stretch_cut(const Scene* scene, const Stretch* s, Cut* cut) {
   const float each = IN_SCATTERING_IS(scene, GAUSS2) ? 1.0f / TAU_PART_GAUSS2 : 1.0f / TAU_PART;
-  const floatW parts = stretch_depth_max(s) * each - PARTS_SLACK;
+  floatW parts = stretch_depth_max(s) * each;
+  if (IN_SCATTERING_IS(scene, GAUSS2) && LIGHTS_ALL(scene) && !RULE_IS(s->medium, PRODUCT) &&
+      vec_max(vec_unpack(s->medium->sigma_s)) > 0.0f)
+    parts = fmax(parts, stretch_light_parts(scene, s));
+  parts -= PARTS_SLACK;
   if (!lanes_any(parts > (floatW)(1.0f))) return 0;
   const floatW count = fmin(fmax(ceil(parts), (floatW)(1.0f)), (floatW)(PARTS_MAX));
   lanes_store(count, cut->count);

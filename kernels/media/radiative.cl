@@ -1,4 +1,4 @@
-// From ∫ρ to light: extinction per channel, transmittance through all media, in-scattering along a view ray.
+// From ∫ρ to light: what one medium scatters along a view ray, behind the others.
 #ifndef BRUME_MEDIA_RADIATIVE_CL
 #define BRUME_MEDIA_RADIATIVE_CL
 #include "media/lit_steps.cl"
@@ -61,7 +61,7 @@ static inline void stretch_gains(const Scene* scene, Stretch* s, Tau sigma_t, Ta
   stretch_before(scene, s, sigma_t, tau, before);
   const floatW integral = lanes_load(s->integral);
   for (int c = 0; c < TAU_CHANNELS; ++c) {
-#if BRUME_MEDIA == 2
+#if BRUME_MEDIA >= 2
     before[c] += s->others[c];
 #endif
     s->gain[c] = segment_gain(scene, integral, before[c], s->depth[c]);
@@ -79,7 +79,7 @@ static inline void track_gains(const Scene* scene, Stretch* s, int m, Tau sigma_
   for (int i = 0; i < s->at->count; ++i) {
     const Collision hit = track_collide(s->medium, &s->walk, s->at, i, s->integral[i], sigma_t, tau);
     if (hit.weight > 0.0f) {
-#if BRUME_MEDIA == 2
+#if BRUME_MEDIA >= 2
       others_advance(scene, s, m, s->at->place[i], stretch_random(s, i, STREAM_OTHERS), others, &result->lookups);
 #endif
       const Tau before = hit.before + others->tau;
@@ -162,8 +162,8 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
 #endif
     {
       Others moved = others;
-#if BRUME_MEDIA == 2
-      stretch_others(scene, &s, m, &moved, &result->lookups);
+#if BRUME_MEDIA >= 2
+      stretch_others(scene, &s, m, m + 1, &moved, &result->lookups);
 #endif
       stretch_depths(&s, sigma_t);
       if (uncut && cuts && stretch_cut(scene, &s, &cut)) continue;
@@ -173,33 +173,6 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
     *radiance += stretch_radiance(scene, &s, result);
   }
   return tau;
-}
-
-// A medium that only weakens what is behind it needs no places for light, and nobody asks what the others do along it.
-// Random walks go the same way as ever.
-static inline int medium_only_absorbs(__global const Medium* medium) {
-  return !BRUME_ROULETTE && !PLACEMENT_IS(medium, COLLISIONS) &&
-         !(vec_max(vec_unpack(medium->sigma_s)) > 0.0f || vec_max(vec_unpack(medium->emission)) > 0.0f);
-}
-
-// All media along a view ray.
-OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 dir, float t_max, Random random) {
-  MediumResult result;
-  result.lookups = 0;
-  result.shadow_key = 0;
-  result.shadow_rays = 0;
-  float3 radiance = (float3)(0.0f);
-  Tau tau = (Tau)(0.0f);
-#if BRUME_MEDIA
-  for (int m = 0; m < MEDIA_END(scene); ++m) {
-    tau += medium_only_absorbs(scene->media + m)
-               ? medium_tau(scene, m, origin, dir, t_max, random, &result.lookups)
-               : medium_scatter(scene, m, origin, dir, t_max, random, &radiance, &result);
-  }
-#endif
-  result.transmittance = vec_pack((float3)(1.0f) * exp(-tau));
-  result.radiance = vec_pack(radiance);
-  return result;
 }
 
 #endif

@@ -52,7 +52,7 @@ typedef struct {
 #if BRUME_RANDOM
   uint id[W];  // names the random numbers of each
 #endif
-#if BRUME_MEDIA == 2
+#if BRUME_MEDIA >= 2
   floatW others[TAU_CHANNELS];  // τ of the other media up to where each begins,
   floatW beside[TAU_CHANNELS];  // and over it
 #endif
@@ -77,7 +77,7 @@ static inline float stretch_end(const Stretch* s, int i) {
   return s->ray->t_begin + (s->at->begin[i] + s->at->size[i]);
 }
 
-#if BRUME_MEDIA == 2
+#if BRUME_MEDIA >= 2
 #if BRUME_TRACKING
 // τ of the media beside m up to s.
 static inline void others_advance(const Scene* scene, const Stretch* stretch, int m, float s, Random random,
@@ -119,8 +119,8 @@ static inline void stretch_other(const Scene* scene, Stretch* s, int m, float fr
   }
 }
 
-// Of the media beside m up to and over each segment that counts.
-static inline void stretch_others(const Scene* scene, Stretch* s, int m, Others* others, uint* lookups) {
+// Of all media but those from `first` to before `end` up to and over each segment that counts.
+static inline void stretch_others(const Scene* scene, Stretch* s, int first, int end, Others* others, uint* lookups) {
   int last = -1;
   for (int i = 0; i < W; ++i) last = s->integral[i] > 0.0f ? i : last;
   for (int c = 0; c < TAU_CHANNELS; ++c) {
@@ -130,12 +130,12 @@ static inline void stretch_others(const Scene* scene, Stretch* s, int m, Others*
   if (last < 0) return;
 #if BRUME_TRACKING
   if (!TAKES_ENDS(scene)) {
-    stretch_others_placed(scene, s, m, others, lookups);
+    stretch_others_placed(scene, s, first, others, lookups);
     return;
   }
 #endif
   for (int other = 0; other < MEDIA_END(scene); ++other)
-    if (other != m) stretch_other(scene, s, other, others->s, last, &others->tau, lookups);
+    if (other < first || other >= end) stretch_other(scene, s, other, others->s, last, &others->tau, lookups);
   others->s = s->at->begin[last] + s->at->size[last];
   const intW counts = lanes_load(s->integral) > (floatW)(0.0f);
   for (int c = 0; c < TAU_CHANNELS; ++c) s->beside[c] = lanes_select((floatW)(0.0f), s->beside[c], counts);
@@ -147,7 +147,7 @@ static inline void stretch_depths(Stretch* s, Tau sigma_t) {
   const floatW integral = lanes_load(s->integral);
   for (int c = 0; c < TAU_CHANNELS; ++c) {
     s->depth[c] = tau_channel(sigma_t, c) * integral;
-#if BRUME_MEDIA == 2
+#if BRUME_MEDIA >= 2
     s->depth[c] += s->beside[c];
 #endif
   }

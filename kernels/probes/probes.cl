@@ -4,7 +4,7 @@
 #include "lib/camera.cl"
 #include "materials/material.cl"
 #include "materials/surface.cl"
-#include "media/radiative.cl"
+#include "media/scatter.cl"
 #include "shared/aov.h"
 #include "shared/layout.h"
 

@@ -23,6 +23,9 @@
 #define BRICK_BLOCK (1 << BRICK_BLOCK_SHIFT)  // bricks along a side
 #define BRICK_BLOCK_ENTRIES (BRICK_BLOCK * BRICK_BLOCK * BRICK_BLOCK)
 
+// So many media are walked side by side along a view ray.
+#define MEDIA_TOGETHER 16
+
 BRUME_SHARED_BEGIN
 enum MediumRegion { REGION_BOX, REGION_SPHERE };  // sphere: the ellipsoid inscribed in [lo, hi]; only for `constant`
 

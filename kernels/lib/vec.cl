@@ -44,4 +44,15 @@ static inline float3 affine_dir(const Affine* a, float3 d) {
                   mad_exact(a->m[8], d.x, mad_exact(a->m[9], d.y, a->m[10] * d.z)));
 }
 
+// A sum of many terms that are small beside it, as exact as one of a few [Kahan65].
+typedef struct {
+  float3 sum, lost;
+} LongSum;
+
+static inline void long_sum_add(LongSum* s, float3 value) {
+  const float3 term = value - s->lost, sum = s->sum + term;
+  s->lost = (sum - s->sum) - term;
+  s->sum = sum;
+}
+
 #endif

@@ -114,7 +114,7 @@ static inline Stretch stretch_of(const Medium* medium, const MediumRay* ray, flo
 // Medium m along a view ray up to t_max: adds what it scatters and emits towards the origin to *radiance and returns
 // its optical depth. Each turn takes W segments of the walk, or W parts of those that are dense.
 static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float3 dir, float t_max, Random random,
-                                 float3* radiance, MediumResult* result) {
+                                 LongSum* radiance, MediumResult* result) {
   const Medium medium = scene->media[m];
   const Tau sigma_t = medium_sigma_t(&medium);
   const MediumRay ray = medium_ray(&medium, origin, dir, t_max);
@@ -170,7 +170,7 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
       others = moved;
       stretch_gains(scene, &s, sigma_t, &tau);
     }
-    *radiance += stretch_radiance(scene, &s, result);
+    long_sum_add(radiance, stretch_radiance(scene, &s, result));
   }
   return tau;
 }

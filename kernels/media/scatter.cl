@@ -20,7 +20,7 @@ OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 di
   result.lookups = 0;
   result.shadow_key = 0;
   result.shadow_rays = 0;
-  float3 radiance = (float3)(0.0f);
+  LongSum radiance = {(float3)(0.0f), (float3)(0.0f)};
   Tau tau = (Tau)(0.0f);
 #if BRUME_MEDIA >= 3
   for (int m = 0; WALKS_TOGETHER(scene) && m < MEDIA_END(scene);)
@@ -34,7 +34,7 @@ OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 di
   }
 #endif
   result.transmittance = vec_pack((float3)(1.0f) * exp(-tau));
-  result.radiance = vec_pack(radiance);
+  result.radiance = vec_pack(radiance.sum);
   return result;
 }
 

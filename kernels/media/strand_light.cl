@@ -89,7 +89,7 @@ static inline int strand_parts_others(const Strands* all, const Strand* k, Stret
 
 // What the batch sends to the origin, or the parts of it where it is dense. What light asks for again and again is
 // copied: in an array of strands the compiler cannot keep it in registers.
-static inline void strand_scatter(const Scene* scene, const Strands* all, Strand* k, float3* radiance,
+static inline void strand_scatter(const Scene* scene, const Strands* all, Strand* k, LongSum* radiance,
                                   MediumResult* result) {
   const Medium medium = k->medium;
   const MediumRay ray = k->ray;
@@ -119,7 +119,7 @@ static inline void strand_scatter(const Scene* scene, const Strands* all, Strand
       stretch_depths(&s, k->sigma_t);
     }
     stretch_gains(scene, &s, k->sigma_t, &k->tau);
-    *radiance += stretch_radiance(scene, &s, result);
+    long_sum_add(radiance, stretch_radiance(scene, &s, result));
   } while (cuts && tau_min(k->tau + others.tau) < TAU_STOP);
   k->stretch.light_t = s.light_t;
   k->stretch.light_tau = s.light_tau;

@@ -115,7 +115,7 @@ static inline void strands_close(Strands* all) {
 
 // Asks for the light of batches that are behind, and fills the next ones. Returns the world distance up to which all
 // media are known, INFINITY at the end.
-static inline float strands_next(const Scene* scene, Strands* all, float3* radiance, MediumResult* result) {
+static inline float strands_next(const Scene* scene, Strands* all, LongSum* radiance, MediumResult* result) {
   float known = INFINITY;
   int awaited = !all->closed;
   for (int i = 0; i < all->count; ++i) {
@@ -152,7 +152,7 @@ static inline void strands_begin(const Scene* scene, Strands* all, int* m, float
 
 // Adds what they scatter to *radiance and returns their optical depth.
 static inline Tau media_scatter_together(const Scene* scene, int* m, float3 origin, float3 dir, float t_max,
-                                         Random random, float3* radiance, MediumResult* result) {
+                                         Random random, LongSum* radiance, MediumResult* result) {
   Strands all;
   strands_begin(scene, &all, m, origin, dir, t_max, random);
   for (;;) {

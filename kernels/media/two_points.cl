@@ -3,7 +3,9 @@
 #define BRUME_MEDIA_TWO_POINTS_CL
 #include "media/sources.cl"
 
-#define FIRST_POINT 0.211324865405187f  // (1 - 1/√3) / 2 of the segment, and as far from its end
+#define FIRST_POINT 0.211324865405187f   // (1 - 1/√3) / 2 of the segment
+#define SECOND_POINT 0.788675134594813f  // and as far from its end
+#define BETWEEN_POINTS 0.577350269189626f
 
 // What one shadow ray of each segment brings to one of its points: E · V · p and the depth on the way.
 typedef struct {

@@ -86,6 +86,10 @@ int method_resolve(const SceneDesc& desc, const MediumDesc& m) {
   return method_exact(m);
 }
 
+bool takes_constant(const SceneDesc& desc, const MediumDesc& m) {
+  return density_is_constant(m.density) && (method_fits(method_resolve(desc, m)) & FITS_CONSTANT);
+}
+
 void media_check(const SceneDesc& desc, const std::vector<MediumRow>& media, std::vector<std::string>& notes) {
   methods_tell(desc, media, notes);
   light_grids_check(desc, media);

@@ -19,6 +19,8 @@ std::vector<MediumRow> media_rows(const SceneDesc& desc);
 // The method of a medium: a method of its own has to fit it; where that of the picture does not, it is the exact one.
 // Never auto. Throws InputError.
 int method_resolve(const SceneDesc& desc, const MediumDesc& medium);
+// Whether its density is taken as one number, without voxels.
+bool takes_constant(const SceneDesc& desc, const MediumDesc& medium);
 // Throws InputError where methods or light grids fit no medium; notes media that take another method than the picture
 // asks for.
 void media_check(const SceneDesc& desc, const std::vector<MediumRow>& media, std::vector<std::string>& notes);

@@ -26,7 +26,9 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
   const unsigned phases = bits_used(s.media, [](const MediumBody& m) { return m.phase; });
   const unsigned shapes = bits_used(s.shapes, [](const Shape& shape) { return shape.type; });
   const unsigned lights = bits_used(s.lights, [](const Light& l) { return l.type; });
-  const unsigned rules = s.media.empty() ? 0u : 1u << plan.frame.in_scattering;
+  unsigned rules = 0;
+  for (const MediumWalk& w : plan.walks)
+    rules |= 1u << (method_has_tolerance(w.method) ? IN_SCATTERING_GAUSS2 : plan.frame.in_scattering);
   return {
       {"MEDIA", static_cast<unsigned>(std::min<std::size_t>(s.media.size(), 2)), 2, "media"},
       {"COLOR_TAU", static_cast<unsigned>(s.color_tau), 1, "an optical depth for each channel"},

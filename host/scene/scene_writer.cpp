@@ -149,6 +149,7 @@ Json method_json(int method) { return method == METHOD_AUTO ? "auto" : family_na
 Json render_json(const RenderDesc& r) {
   Json json{{"method", method_json(r.method)},
             {"step", number(r.step)},
+            {"tolerance", number(r.tolerance)},
             {"in_scattering", family_name(in_scattering_family(), r.in_scattering)},
             {"shadow", r.shadow == SHADOW_AUTO ? "auto" : family_name(shadow_family(), r.shadow)},
             {"light_grid", r.light_grid},
@@ -177,6 +178,7 @@ Json medium_json(const MediumDesc& m, const Folder& folder) {
   if (phase_takes_g(m.phase)) json["phase"]["g"] = number(m.g);
   if (m.method) json["method"] = method_json(*m.method);
   if (m.step) json["step"] = number(*m.step);
+  if (m.tolerance) json["tolerance"] = number(*m.tolerance);
   return json;
 }
 

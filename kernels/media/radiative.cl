@@ -2,13 +2,13 @@
 #ifndef BRUME_MEDIA_RADIATIVE_CL
 #define BRUME_MEDIA_RADIATIVE_CL
 #include "media/lit_steps.cl"
-#include "media/two_points.cl"
+#include "media/runs.cl"
 
-// What medium m sends to the origin from these segments.
-static inline float3 stretch_radiance(const Scene* scene, Stretch* s, MediumResult* result) {
+// What medium m sends to the origin from these segments. lit: not by runs, which have taken their light.
+static inline float3 stretch_radiance(const Scene* scene, Stretch* s, int lit, MediumResult* result) {
   const float3 sigma_s = vec_unpack(s->medium->sigma_s), emission = vec_unpack(s->medium->emission);
   Colors source = {(floatW)(0.0f), (floatW)(0.0f), (floatW)(0.0f)};
-  if (vec_max(sigma_s) > 0.0f) source = stretch_sources(scene, s, result);
+  if (lit && vec_max(sigma_s) > 0.0f) source = stretch_sources(scene, s, result);
   return (float3)(lanes_sum((source.x * sigma_s.x + emission.x) * s->gain[0]),
                   lanes_sum((source.y * sigma_s.y + emission.y) * s->gain[TAU_CHANNELS / 2]),
                   lanes_sum((source.z * sigma_s.z + emission.z) * s->gain[TAU_CHANNELS - 1]));
@@ -20,8 +20,10 @@ static inline void stretch_end_at(Stretch* s, int i) {
 }
 
 // ∫ρT over segments behind `before`: while T falls by `depth`, evenly with ∫ρ, it is ∫ρ times the mean of T.
-static inline floatW segment_gain(const Scene* scene, floatW integral, floatW before, floatW depth) {
-  if (IN_SCATTERING_IS(scene, RECTANGLE)) return exp(-(before + depth)) * integral;
+static inline floatW segment_gain(const Scene* scene, const Medium* medium, floatW integral, floatW before,
+                                  floatW depth) {
+  if (SUMS_BY(scene, medium, RECTANGLE)) return exp(-(before + depth)) * integral;
+  if (METHOD_IS(medium, ADAPTIVE)) integral = lanes_select(integral, (floatW)(0.0f), before > medium->tau_lit);
   return exp(-before) * lanes_mean_exp(depth) * integral;
 }
 
@@ -47,15 +49,15 @@ static inline void stretch_before(const Scene* scene, Stretch* s, Tau sigma_t, T
 static inline void stretch_gains(const Scene* scene, Stretch* s, Tau sigma_t, Tau* tau) {
   floatW before[TAU_CHANNELS];
   s->dense = (intW)(0);
-  if (TAKES_ENDS(scene) && IN_SCATTERING_IS(scene, SEGMENT))
-    s->dense = stretch_depth_max(s) > (floatW)(RULE_IS(s->medium, PRODUCT) ? TAU_THIN_CONSTANT : TAU_THIN);
+  if (TAKES_ENDS(scene) && SUMS_BY(scene, s->medium, SEGMENT))
+    s->dense = stretch_depth_max(s) > (floatW)(IS_PRODUCT(s->medium) ? TAU_THIN_CONSTANT : TAU_THIN);
   stretch_before(scene, s, sigma_t, tau, before);
   const floatW integral = lanes_load(s->integral);
   for (int c = 0; c < TAU_CHANNELS; ++c) {
 #if BRUME_MEDIA == 2
     before[c] += s->others[c];
 #endif
-    s->gain[c] = segment_gain(scene, integral, before[c], s->depth[c]);
+    s->gain[c] = segment_gain(scene, s->medium, integral, before[c], s->depth[c]);
   }
 }
 
@@ -111,14 +113,19 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
   const MediumRay ray = medium_ray(&medium, origin, dir, t_max);
   Tau tau = (Tau)(0.0f);
   if (!(ray.length > 0.0f)) return tau;
-  const int cuts = !IN_SCATTERING_IS(scene, RECTANGLE);
+  const int cuts = !SUMS_BY(scene, &medium, RECTANGLE);
   Stretch s = stretch_of(&medium, &ray, origin, dir, t_max, random, m);
   Others others = {-ray.t_begin, (Tau)(0.0f)};
   Segments whole, parts;
   Cut cut;
   cut.lane = W;
-  Walk walk = walk_begin(&medium, &ray, s.walk, 0);
-  const int lit_steps = IN_SCATTERING_IS(scene, GAUSS2) && RULE_IS(&medium, PRODUCT);
+  Walk walk = walk_begin(&medium, &ray, s.walk, WALK_SCATTERS);
+  const int lit_steps = SUMS_BY(scene, &medium, GAUSS2) && IS_PRODUCT(&medium);
+  const int runs = METHOD_IS(&medium, ADAPTIVE) && medium.light_grids < 0 && LIGHTS_ALL(scene) &&
+                   vec_max(vec_unpack(medium.sigma_s)) > 0.0f;
+  Run run;
+  run.count = 0;
+  run.seen = radiance->x + radiance->y + radiance->z;
   LitSteps lit;
   if (lit_steps) lit = lit_steps_begin(scene, &s, m);
   while (tau_min(tau + others.tau) < TAU_STOP) {
@@ -140,8 +147,8 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
 #if BRUME_RANDOM
     for (int i = 0; i < W; ++i) s.id[i] = uncut ? walk_id(&medium, &whole, i) : parts.id[i];
 #endif
-    if (uncut || RULE_IS(&medium, GAUSS2)) {
-      lanes_store(IN_SCATTERING_IS(scene, GAUSS2) ? walk_integral_shares(scene, &medium, &ray, s.at, &s.second)
+    if (uncut || RULE_IS(&medium, GAUSS2) || RULE_IS(&medium, PIECE)) {
+      lanes_store(SUMS_BY(scene, &medium, GAUSS2) ? walk_integral_shares(scene, &medium, &ray, s.at, &s.second)
                                                   : walk_integral(scene, &medium, &ray, s.at),
                   s.integral);
       if (!PLACEMENT_IS(&medium, COLLISIONS)) result->lookups += walk_lookups(&medium, s.at);
@@ -161,8 +168,10 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
       others = moved;
       stretch_gains(scene, &s, sigma_t, &tau);
     }
-    *radiance += stretch_radiance(scene, &s, result);
+    if (runs) run_take(scene, &s, &run, radiance, result);
+    *radiance += stretch_radiance(scene, &s, !runs, result);
   }
+  if (runs && run.count > 0) *radiance += run_shine(scene, &s, &run, result);
   return tau;
 }
 
@@ -184,7 +193,7 @@ OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 di
 #if BRUME_MEDIA
   for (int m = 0; m < MEDIA_END(scene); ++m) {
     tau += medium_only_absorbs(scene->media + m)
-               ? medium_tau(scene, m, origin, dir, t_max, random, &result.lookups)
+               ? medium_tau(scene, m, origin, dir, t_max, random, WALK_SEEN, &result.lookups)
                : medium_scatter(scene, m, origin, dir, t_max, random, &radiance, &result);
   }
 #endif

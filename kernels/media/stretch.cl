@@ -26,6 +26,10 @@
   ((((BRUME_IN_SCATTERINGS_USED) >> IN_SCATTERING_##id) & 1) && \
    ((BRUME_IN_SCATTERINGS_USED) == (1 << IN_SCATTERING_##id) || (scene)->frame->in_scattering == IN_SCATTERING_##id))
 
+// The same of one medium: `adaptive` has two points in each segment, whatever the frame says.
+#define SUMS_BY(scene, medium, id) \
+  (METHOD_IS(medium, ADAPTIVE) ? IN_SCATTERING_##id == IN_SCATTERING_GAUSS2 : IN_SCATTERING_IS(scene, id))
+
 // τ of the media beside one, carried along a view ray.
 typedef struct {
   float s;  // up to where it is known, from where the ray enters the medium that is walked
@@ -162,7 +166,8 @@ typedef struct {
 
 // Cuts the segments if one of them is too dense; 0 if none is.
 static inline int stretch_cut(const Scene* scene, const Stretch* s, Cut* cut) {
-  const float each = IN_SCATTERING_IS(scene, GAUSS2) ? 1.0f / TAU_PART_GAUSS2 : 1.0f / TAU_PART;
+  float each = SUMS_BY(scene, s->medium, GAUSS2) ? 1.0f / TAU_PART_GAUSS2 : 1.0f / TAU_PART;
+  if (METHOD_IS(s->medium, ADAPTIVE)) each = 1.0f / s->medium->tau_part;
   const floatW parts = stretch_depth_max(s) * each - PARTS_SLACK;
   if (!lanes_any(parts > (floatW)(1.0f))) return 0;
   const floatW count = fmin(fmax(ceil(parts), (floatW)(1.0f)), (floatW)(PARTS_MAX));

@@ -24,15 +24,17 @@ struct Column {
 
 Json text_of(const Family& family, int id) { return std::string(family_name(family, id)); }
 bool has_media(const ChartPoint& p) { return p.knobs.method != METHOD_NONE; }
+bool takes_rule(const ChartPoint& p) { return has_media(p) && !(p.knobs.tolerance > 0); }
 
 const Column COLUMNS[] = {
     {"method", [](const ChartPoint& p) -> Json { return knobs_method(p.knobs); }},
     {"step", [](const ChartPoint& p) { return p.knobs.step > 0 ? Json(p.knobs.step) : Json(); }},
-    {"tolerance", [](const ChartPoint&) { return Json(); }},  // of methods that do not exist yet
+    {"tolerance", [](const ChartPoint& p) { return p.knobs.tolerance > 0 ? Json(p.knobs.tolerance) : Json(); }},
     {"level", [](const ChartPoint&) { return Json(); }},
     {"light_grid", [](const ChartPoint& p) { return p.knobs.light_grid > 0 ? Json(p.knobs.light_grid) : Json(); }},
     {"storage", [](const ChartPoint& p) { return has_media(p) ? text_of(storage_family(), p.knobs.storage) : Json(); }},
-    {"rule", [](const ChartPoint& p) { return has_media(p) ? text_of(in_scattering_family(), p.knobs.rule) : Json(); }},
+    {"rule",
+     [](const ChartPoint& p) { return takes_rule(p) ? text_of(in_scattering_family(), p.knobs.rule) : Json(); }},
     {"spp", [](const ChartPoint& p) -> Json { return p.knobs.spp; }},
     {"seconds", [](const ChartPoint& p) -> Json { return p.seconds; }},
     {"seconds_spread", [](const ChartPoint& p) { return p.runs > 1 ? Json(p.seconds_spread) : Json(); }},
@@ -96,6 +98,7 @@ ChartPoint point_read(const JsonValue& json) {
   const JsonValue method = json.get("method");
   p.knobs.method = method.as_string() == "none" ? METHOD_NONE : method.as_member(method_family(), "method");
   p.knobs.step = number_or(json, "step", 0, Range::positive());
+  p.knobs.tolerance = number_or(json, "tolerance", 0, Range::positive());
   p.knobs.light_grid = static_cast<int>(number_or(json, "light_grid", 0, Range::closed(1, 4096)));
   p.knobs.storage = member_or(json, "storage", STORAGE_F32, storage_family());
   p.knobs.rule = member_or(json, "rule", IN_SCATTERING_SEGMENT, in_scattering_family());

@@ -31,9 +31,17 @@ bool has_steps(const SceneDesc& set) {
                      [&](const MediumRow& m) { return method_has_step(method_resolve(set, *m.desc)); });
 }
 
-std::vector<Knobs> steps_of(const SceneDesc& desc, Knobs knobs, const KnobLimits& limits) {
-  if (!has_steps(knobs_apply(desc, knobs))) return {knobs};
+// A method from coarse to fine.
+std::vector<Knobs> finenesses_of(const SceneDesc& desc, Knobs knobs, const KnobLimits& limits) {
   std::vector<Knobs> list;
+  if (method_has_tolerance(knobs.method)) {
+    for (const double tolerance : tolerances_all()) {
+      knobs.tolerance = tolerance;
+      list.push_back(knobs);
+    }
+    return list;
+  }
+  if (!has_steps(knobs_apply(desc, knobs))) return {knobs};
   for (const double step : steps_halving(limits, STEPS_BEYOND)) {
     knobs.step = step;
     list.push_back(knobs);
@@ -51,16 +59,16 @@ Pilot::Pilot(ChartScene& scene, const std::vector<int>& methods) : scene_(scene)
     if (scene.limits().grids && method != METHOD_HOMOGENEOUS)
       for (const int grid : LIGHT_GRIDS) {
         knobs.light_grid = grid;
-        families_.push_back(steps_of(desc, knobs, scene.limits()));
+        families_.push_back(finenesses_of(desc, knobs, scene.limits()));
       }
     knobs.light_grid = 0;
-    families_.push_back(steps_of(desc, knobs, scene.limits()));
+    families_.push_back(finenesses_of(desc, knobs, scene.limits()));
   }
   if (families_.empty())
     throw InputError(
         desc.file.string() +
         ": /render: for an error or a time a method is needed that draws no random numbers; allowed: auto, "
-        "march_midpoint, dda_midpoint, dda_gauss2, dda_nearest, homogeneous");
+        "adaptive, march_midpoint, dda_midpoint, dda_gauss2, dda_nearest, homogeneous");
   std::stable_sort(families_.begin(), families_.end(),
                    [&](const auto& a, const auto& b) { return scene_.cost(a.front()) < scene_.cost(b.front()); });
   // A first look: which pixels are bright.

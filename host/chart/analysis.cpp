@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "base/statistics.hpp"
+
 namespace brume {
 
 namespace {
@@ -44,6 +46,16 @@ int spp_of_scene(const std::vector<ChartPoint>& points, int method) {
 }
 
 }  // namespace
+
+std::optional<double> error_rank(const std::vector<float>& expected, const Image& picture, const Image& exact) {
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    double off = 0;
+    for (std::size_t c = 0; c < 3; ++c) off += picture.values[3 * i + c] - exact.values[3 * i + c];
+    errors.push_back(std::abs(off));
+  }
+  return rank_correlation({expected.begin(), expected.end()}, errors);
+}
 
 void pareto_mark(std::vector<ChartPoint>& points, double floor) {
   const auto error = [&](const ChartPoint& p) { return std::max(p.rel_rmse, floor); };

@@ -94,7 +94,9 @@ std::optional<ChartPicture> ChartScene::render(const SceneDesc& set, bool timed,
   const double first = run(film);
   if (first < 0) return std::nullopt;
   const Frame& frame = plan.frame;
-  picture.image = film_image(film.cut({frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1}));
+  const Film shown = film.cut({frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1});
+  picture.image = film_image(shown);
+  picture.expected_error = shown.aov(AOV_ERROR).values;
   std::vector<double> times;
   double spent = 0;
   while (timed && first < LONG_SECONDS && int(times.size()) < (spent < RUNS_SECONDS ? RUNS_MOST : RUNS_LEAST)) {

@@ -50,6 +50,7 @@ Json point_json(const ChartPoint& point) {
   Json json{{"id", knobs_id(point.knobs)}};
   for (const Column& column : COLUMNS) json[column.name] = column.value(point);
   json["runs"] = point.runs;
+  json["error_rank"] = point.error_rank ? Json(*point.error_rank) : Json();
   return json;
 }
 
@@ -106,6 +107,8 @@ ChartPoint point_read(const JsonValue& json) {
   p.seconds = json.get("seconds").as_number(SECONDS);
   p.seconds_spread = number_or(json, "seconds_spread", 0, SECONDS);
   p.runs = json.get("runs").as_integer(1, MANY);
+  if (json.has("error_rank") && !json.get("error_rank").is_null())
+    p.error_rank = json.get("error_rank").as_number(Range::closed(-1, 1));
   p.build_seconds = json.get("build_seconds").as_number(SECONDS);
   p.lookups = json.get("lookups").as_number(COUNTS);
   p.rel_rmse = number_or(json, "rel_rmse", 0, COUNTS);

@@ -15,6 +15,7 @@ constexpr double SHARE_OF_BRICK = 0.05;  // of the tolerance: what the pieces of
 constexpr double LIGHT_COARSER = 16;     // of rays to lights: a pixel is the mean of many, whose errors differ
 constexpr std::array<int, 4> PIECES = {1, 2, 4, 8};  // of a brick; more are no cheaper than its cells
 constexpr int LINES = 2;                             // every so many samples a line is measured
+constexpr double LINE_CELLS = BRICK_CELLS - 1;       // over which it is
 using Weights = std::array<float, BRICK_SAMPLES>;
 
 double largest_sigma_t(const MediumBody& m) {
@@ -31,13 +32,13 @@ void weights_add(double at, double length, int interpolation, Weights& weights) 
 // The sum that two points of each of `pieces` take, less the integral: from the middle of the first cell to that of the
 // last, so that pieces and cells do not end together as they hardly ever do.
 Weights error_weights(int pieces, int interpolation) {
-  constexpr double BEGIN = 0.5, LENGTH = BRICK_CELLS - 1;
+  constexpr double BEGIN = 0.5;
   Weights weights{};
   for (int cell = 0; cell < BRICK_CELLS; ++cell) {
-    const double from = std::max<double>(cell, BEGIN), to = std::min<double>(cell + 1, BEGIN + LENGTH);
+    const double from = std::max<double>(cell, BEGIN), to = std::min<double>(cell + 1, BEGIN + LINE_CELLS);
     weights_add((from + to) / 2, from - to, interpolation, weights);  // exact within a cell
   }
-  const double length = LENGTH / pieces, apart = 0.5 / std::sqrt(3.0);
+  const double length = LINE_CELLS / pieces, apart = 0.5 / std::sqrt(3.0);
   for (int piece = 0; piece < pieces; ++piece)
     for (const double side : {-apart, apart})
       weights_add(BEGIN + (piece + 0.5 + side) * length, length / 2, interpolation, weights);
@@ -114,19 +115,22 @@ void adaptive_plan(double tolerance, const FlatScene& flat, std::size_t medium, 
   }
   const std::set<std::int32_t> bricks = bricks_of(flat, flat.grids[static_cast<std::size_t>(placed.grid)]);
   const double column = mean_density(flat, bricks) * flat.sizes[medium].longest / 2, sigma_t = largest_sigma_t(body);
-  const double allowed = SHARE_OF_BRICK * tolerance * (sigma_t * column > 1 ? 1 / sigma_t : column) / cell_side(placed);
+  const double side = cell_side(placed);
+  const double allowed = SHARE_OF_BRICK * tolerance * (sigma_t * column > 1 ? 1 / sigma_t : column) / side;
   std::array<Weights, PIECES.size()> weights;
   for (std::size_t i = 0; i < PIECES.size(); ++i) weights[i] = error_weights(PIECES[i], placed.interpolation);
   walk.piece_rates = static_cast<int>(plan.piece_rates.size());
-  plan.piece_rates.resize(plan.piece_rates.size() + 2 * flat.voxels.size() / BRICK_VALUES, PIECE_RATE_CELLS);
+  plan.piece_rates.resize(plan.piece_rates.size() + PIECE_ROW * flat.voxels.size() / BRICK_VALUES, PIECE_RATE_CELLS);
   for (const std::int32_t brick : bricks) {
-    float* rates = &plan.piece_rates[static_cast<std::size_t>(walk.piece_rates + 2 * brick)];
+    float* row = &plan.piece_rates[static_cast<std::size_t>(walk.piece_rates + PIECE_ROW * brick)];
+    row[PIECE_ROUGH] = 0;  // cells are exact
     for (std::size_t i = PIECES.size(); i-- > 0;) {
       const double error = brick_error(samples_of(flat, brick), weights[i]);
-      const float rate = float(PIECES[i]) / BRICK_CELLS;
-      if (error <= allowed) rates[0] = rate;
       if (error > allowed * LIGHT_COARSER) break;
-      rates[1] = rate;
+      row[PIECE_LIGHT] = float(PIECES[i]) / BRICK_CELLS;
+      if (error > allowed) continue;
+      row[0] = row[PIECE_LIGHT];
+      row[PIECE_ROUGH] = static_cast<float>(std::pow(error * side, 2) / LINE_CELLS);
     }
   }
 }

@@ -131,6 +131,10 @@ void march_visit(const PlannedScene& scene, const Medium& medium, const RayD& ra
   }
 }
 
+const float* piece_row(const PlannedScene& scene, const Medium& medium, int brick) {
+  return &scene.piece_rates[static_cast<std::size_t>(medium.piece_rates + PIECE_ROW * brick)];
+}
+
 // A segment of a brick by two points that look up wherever they lie in it; `number` tells it from others of the brick.
 SegmentD piece_of(const PlannedScene& scene, const Medium& medium, const RayD& ray, double a, double b,
                   const ivec3& brick, uint number) {
@@ -150,7 +154,7 @@ void pieces_visit(const PlannedScene& scene, const Medium& medium, const RayD& r
     for (last = first + 1; last + 1 < crossings.size() && cell_of(last) / BRICK_CELLS == brick;) ++last;
     const int number = brick_number(scene, medium, cell_of(first));
     if (number == BRICK_EMPTY) continue;
-    const double rate = scene.piece_rates[static_cast<std::size_t>(medium.piece_rates + 2 * number + to_light)];
+    const double rate = piece_row(scene, medium, number)[to_light ? PIECE_LIGHT : 0];
     if (rate >= PIECE_RATE_CELLS) {
       for (std::size_t i = first; i < last; ++i) {
         const ivec3 in = cell_of(i) % BRICK_CELLS;
@@ -270,6 +274,13 @@ double density_length_gauss2(const PlannedScene& scene, const Medium& medium, co
 double density_length_piece(const PlannedScene& scene, const Medium& medium, const RayD& world,
                             const SegmentD& segment) {
   return piece_density_length(scene, medium, ray_to_cells(medium, world), segment);
+}
+
+double segment_error_square(const PlannedScene& scene, const Medium& medium, const RayD& world,
+                            const SegmentD& segment) {
+  if (medium.is_constant) return 0;
+  const double cells = (segment.t_end - segment.t_begin) * glm::length(ray_to_cells(medium, world).dir);
+  return piece_row(scene, medium, brick_number(scene, medium, segment.cell))[PIECE_ROUGH] * cells;
 }
 
 int segment_lookups(const Medium& medium, int method) {

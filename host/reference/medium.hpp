@@ -55,6 +55,9 @@ double density_length_gauss2(const PlannedScene& scene, const Medium& medium, co
 // The same by a piece of `adaptive`, wherever its two points lie.
 double density_length_piece(const PlannedScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment);
 
+// What ∫ρ over a segment of `adaptive` errs by, as the plan has measured it in the brick: the mean square.
+double segment_error_square(const PlannedScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment);
+
 // Evaluations of the density that one segment of the method costs: 0 in a constant medium.
 int segment_lookups(const Medium& medium, int method);
 

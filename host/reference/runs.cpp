@@ -85,11 +85,13 @@ class LightRun {
     const std::size_t m = (a + b) / 2;
     ask(m);
     const dvec3 mean = (passed_[a] + 2.0 * passed_[m] + passed_[b]) / 4.0, bend = passed_[m] - line(points_[m].t);
-    if (sum_of(weight * glm::abs(bend)) > tolerance_ * (seen_ + sum_of(weight * mean))) {
+    const double off = sum_of(weight * glm::abs(bend));
+    if (off > tolerance_ * (seen_ + sum_of(weight * mean))) {
       between(a, m);
       between(m, b);
       return;
     }
+    result_.error += off / 3;
     // Lagrange's parabola
     const double over = points_[m].t;
     for (std::size_t i = a + 1; i < b; ++i) {

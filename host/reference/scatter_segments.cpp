@@ -80,8 +80,9 @@ struct SegmentWalk {
   Others others;
   std::vector<DepthAlong> depths;  // of the other media, where none is tracked
   Scattered& result;
-  std::vector<RunPoint> run{};  // of `adaptive`, while its light is traced
-  double seen = 0;              // light before it
+  std::vector<RunPoint> run{};                         // of `adaptive`, while its light is traced
+  double seen = 0;                                     // light before it
+  double squares = 0, seen_squares = 0, all_gain = 0;  // of what its pieces err by, also as it is seen; ∫ρT
 
   bool adapts() const { return method == METHOD_ADAPTIVE; }
   bool runs() const {
@@ -149,6 +150,12 @@ struct SegmentWalk {
     dvec3 gain;
     for (int c = 0; c < 3; ++c)
       gain[c] = adapts() && before[c] > medium.tau_lit ? 0 : gain_of(rule, segment.density_length, before[c], depth[c]);
+    if (adapts()) {
+      const double square = segment_error_square(context.scene, medium, ray, segment);
+      squares += square;
+      seen_squares += square * std::pow(gain.y / segment.density_length, 2);
+      all_gain += gain.y;
+    }
     if (runs())
       run_take(at, gain);
     else
@@ -215,9 +222,13 @@ void medium_segments(const Context& context, int index, const RayD& ray, double 
     if (other != index)
       scattering.depths.emplace_back(context, other, ray, t_max, random.child(static_cast<uint>(other)),
                                      result.lookups);
-  scattering.seen = result.radiance.x + result.radiance.y + result.radiance.z;
+  const auto sum = [&] { return result.radiance.x + result.radiance.y + result.radiance.z; };
+  const double before = scattering.seen = sum();
   scattering.walk_all(t_max);
   scattering.run_shine();
+  if (scattering.all_gain > 0)
+    result.error += std::abs(sum() - before) / 3 * std::sqrt(scattering.seen_squares) / scattering.all_gain;
+  result.tau_error = std::hypot(result.tau_error, largest(scattering.sigma_t) * std::sqrt(scattering.squares));
   result.tau += scattering.own_tau;
 }
 

@@ -89,6 +89,35 @@ static inline void track_gains(const Scene* scene, Stretch* s, int m, Tau sigma_
 }
 #endif
 
+// What the pieces of a walk may err by, in ∫ρ: sums of squares, as they are and as they are seen; and ∫ρT.
+typedef struct {
+  float squares, seen, gain;
+} Rough;
+
+static inline void stretch_rough(const Scene* scene, const Stretch* s, Rough* rough) {
+  const Segments* at = s->at;
+  const float cells = length(s->ray->dir);
+  float gain[W];
+  lanes_store(s->gain[TAU_CHANNELS / 2], gain);
+  for (int i = 0; i < W; ++i) {
+    if (!(s->integral[i] > 0.0f)) continue;
+    rough->gain += gain[i];
+    if (s->medium->is_constant) continue;
+    const int brick = (at->base[i] + brick_stride((int)at->x[i], (int)at->y[i], (int)at->z[i])) / BRICK_VALUES;
+    const float square = piece_row(scene, s->medium, brick, PIECE_ROUGH) * cells * at->size[i];
+    const float passed = gain[i] / s->integral[i];
+    rough->squares += square;
+    rough->seen += square * passed * passed;
+  }
+}
+
+// `sent`: what the medium sends to the origin, mean of the channels.
+static inline void rough_tell(const Rough* rough, Tau sigma_t, float sent, MediumResult* result) {
+  if (rough->gain > 0.0f) result->error += fabs(sent) * sqrt(rough->seen) / rough->gain;
+  const float depth = tau_max(sigma_t) * sqrt(rough->squares);
+  result->tau_error = sqrt(result->tau_error * result->tau_error + depth * depth);
+}
+
 static inline Stretch stretch_of(const Medium* medium, const MediumRay* ray, float3 origin, float3 dir, float t_max,
                                  Random random, int m) {
   Stretch s;
@@ -126,6 +155,8 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
   Run run;
   run.count = 0;
   run.seen = radiance->x + radiance->y + radiance->z;
+  const float before = vec_mean(*radiance);
+  Rough rough = {0.0f, 0.0f, 0.0f};
   LitSteps lit;
   if (lit_steps) lit = lit_steps_begin(scene, &s, m);
   while (tau_min(tau + others.tau) < TAU_STOP) {
@@ -167,18 +198,20 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
       if (uncut && cuts && stretch_cut(scene, &s, &cut)) continue;
       others = moved;
       stretch_gains(scene, &s, sigma_t, &tau);
+      if (METHOD_IS(&medium, ADAPTIVE)) stretch_rough(scene, &s, &rough);
     }
     if (runs) run_take(scene, &s, &run, radiance, result);
     *radiance += stretch_radiance(scene, &s, !runs, result);
   }
   if (runs && run.count > 0) *radiance += run_shine(scene, &s, &run, result);
+  if (METHOD_IS(&medium, ADAPTIVE)) rough_tell(&rough, sigma_t, vec_mean(*radiance) - before, result);
   return tau;
 }
 
 // A medium that only weakens what is behind it needs no places for light, and nobody asks what the others do along it.
-// Random walks go the same way as ever.
+// Random walks go the same way as ever, and `adaptive` tells its error.
 static inline int medium_only_absorbs(__global const Medium* medium) {
-  return !BRUME_ROULETTE && !PLACEMENT_IS(medium, COLLISIONS) &&
+  return !BRUME_ROULETTE && !PLACEMENT_IS(medium, COLLISIONS) && !METHOD_IS(medium, ADAPTIVE) &&
          !(vec_max(vec_unpack(medium->sigma_s)) > 0.0f || vec_max(vec_unpack(medium->emission)) > 0.0f);
 }
 
@@ -188,6 +221,7 @@ OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 di
   result.lookups = 0;
   result.shadow_key = 0;
   result.shadow_rays = 0;
+  result.error = result.tau_error = 0.0f;
   float3 radiance = (float3)(0.0f);
   Tau tau = (Tau)(0.0f);
 #if BRUME_MEDIA

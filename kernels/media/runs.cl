@@ -95,18 +95,25 @@ static inline int run_is_faint(const Run* run, const RunLight* light, int a, int
   return !(most > tolerance * RUN_FAINT * run->seen);
 }
 
-// Whether light at m, between a and b, is off the straight line by more than the tolerance.
-static inline int run_bends(const Run* run, const RunLight* light, int a, int m, int b, float tolerance) {
-  float off = 0.0f, sum = run->seen;
+// By how much light at m, between a and b, is off the straight line: what the points between them send with it.
+static inline float run_bend(const Run* run, const RunLight* light, int a, int m, int b) {
+  float off = 0.0f;
   const float share = (run->place[m] - run->place[a]) / fmax(run->place[b] - run->place[a], 1e-30f);
   for (int c = 0; c < TAU_CHANNELS; ++c) {
-    const float near = light->passed[c][a], middle = light->passed[c][m], far = light->passed[c][b];
-    const float bend = fabs(middle - mad_exact(share, far - near, near));
-    const float weight = run_between(light, c, a, b);
-    sum += weight * (0.25f * (near + far) + 0.5f * middle);
-    off += weight * bend;
+    const float near = light->passed[c][a], line = mad_exact(share, light->passed[c][b] - near, near);
+    off += run_between(light, c, a, b) * fabs(light->passed[c][m] - line);
   }
-  return off > tolerance * sum;
+  return off;
+}
+
+// About what they send, and what the ray has got before.
+static inline float run_sent(const Run* run, const RunLight* light, int a, int m, int b) {
+  float sum = run->seen;
+  for (int c = 0; c < TAU_CHANNELS; ++c) {
+    const float* passed = light->passed[c];
+    sum += run_between(light, c, a, b) * (0.25f * (passed[a] + passed[b]) + 0.5f * passed[m]);
+  }
+  return sum;
 }
 
 // Fills in the points between a and b by the parabola through m, which is one of them; without one (m = a) by a line.
@@ -132,11 +139,14 @@ static inline void run_pass(const Scene* scene, const Stretch* s, const Run* run
   int ends[RUN_DEPTH], depth = 0, known = -1, middle = 0, ask = light->first;
   for (;;) {
     run_ask(scene, s, run, l, ask, light, result);
+    const int tests = known >= 0 && middle;
+    const float off = tests ? run_bend(run, light, known, ask, ends[depth - 1]) : 0.0f;
     if (known < 0) {
       known = ask;
-    } else if (!middle || run_bends(run, light, known, ask, ends[depth - 1], tolerance)) {
+    } else if (!tests || off > tolerance * run_sent(run, light, known, ask, ends[depth - 1])) {
       ends[depth++] = ask;
     } else {
+      result->error += (1.0f / 3.0f) * off;
       run_fill(run, known, ask, ends[depth - 1], light);
       known = ends[--depth];
     }

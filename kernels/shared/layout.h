@@ -34,13 +34,13 @@
                              F(light_grids) F(tolerance) F(tau_part) F(tau_lit) F(piece_rates))                        \
   STRUCT(Ray, F(origin) F(pixel) F(dir) F(sample) F(weight) F(seed) F(heirs) F(start))                                 \
   STRUCT(Hit, F(t) F(primitive) F(u) F(v))                                                                             \
-  STRUCT(MediumResult, F(transmittance) F(lookups) F(radiance) F(shadow_key) F(shadow_rays))                           \
+  STRUCT(MediumResult, F(transmittance) F(lookups) F(radiance) F(shadow_key) F(shadow_rays) F(error) F(tau_error))     \
   STRUCT(SurfaceResult,                                                                                                \
          F(radiance) F(lit) F(normal) F(second) F(lookups) F(shadow_rays) F(sent) F(dropped_rays) F(dropped_weight))   \
   STRUCT(Sample, F(radiance) F(key) F(normal) F(depth) F(transmittance) F(hit) F(first_ray) F(rays) F(lookups)         \
-                     F(shadow_rays) F(secondary_rays) F(dropped_rays) F(dropped_weight))                               \
+                     F(shadow_rays) F(secondary_rays) F(dropped_rays) F(dropped_weight) F(error))                      \
   STRUCT(Work, F(pixel) F(first_sample) F(samples) F(first_ray))                                                       \
-  STRUCT(FilmPixel, F(radiance) F(samples) F(squares) F(normal) F(depth) F(transmittance) F(hits) F(lookups) F(key)    \
-                        F(shadow_rays) F(secondary_rays) F(dropped_rays) F(dropped_weight) F(invalid) F(clear))
+  STRUCT(FilmPixel, F(radiance) F(samples) F(squares) F(normal) F(depth) F(transmittance) F(hits) F(lookups) F(key) F( \
+                        shadow_rays) F(secondary_rays) F(dropped_rays) F(dropped_weight) F(invalid) F(clear) F(error))
 
 #endif

@@ -20,6 +20,10 @@
 
 // A brick that would need this many pieces per cell of way, or more, is walked by its cells.
 #define PIECE_RATE_CELLS 2.0f
+// Rows of RenderPlan::piece_rates: rate of view rays, rate of rays to lights, mean square error of ∫ρ per cell of way.
+#define PIECE_ROW 3
+#define PIECE_LIGHT 1
+#define PIECE_ROUGH 2
 
 // Where segments begin and end. PLACEMENT(ID, help)
 #define BRUME_PLACEMENTS(PLACEMENT)                                                   \

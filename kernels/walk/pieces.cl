@@ -18,9 +18,14 @@ static inline Pieces pieces_begin(float until, int to_light) {
   return p;
 }
 
+// Of a brick: the rates of view rays and of rays to lights, and what its pieces err by.
+static inline float piece_row(const Scene* scene, const Medium* medium, int brick, int entry) {
+  return scene->piece_rates[medium->piece_rates + PIECE_ROW * brick + entry];
+}
+
 static inline int pieces_next_brick(const Scene* scene, const Medium* medium, const MediumRay* ray, Dda* d, Pieces* p) {
   if (!(d->s < p->until) || !dda_next_brick(scene, medium, d)) return 0;
-  const float rate = scene->piece_rates[medium->piece_rates + 2 * d->number + p->to_light];
+  const float rate = piece_row(scene, medium, d->number, p->to_light);
   p->next = p->count = 0;
   if (rate < PIECE_RATE_CELLS) {
     p->count = max(1, (int)ceil(rate * length(ray->dir) * (d->brick_end - d->s) - PIECE_SLACK));

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/statistics.hpp"
 #include "physics/closed_form.hpp"
 
 namespace brume::test {
@@ -96,6 +97,42 @@ TEST(Adaptive, AMediumMayHaveItsOwnTolerance) {
   const std::string medium = "{" + CLOUD + R"(, "sigma_s": 2, "method": "adaptive", "tolerance": 0.001})";
   EXPECT_EQ(picture(lit(SUN, medium), {}).lookups,
             adaptive(lit(SUN, "{" + CLOUD + R"(, "sigma_s": 2})"), "0.001").lookups);
+}
+
+// The plane `error` against what is right, over the pixels.
+double error_ranked(const std::string& text, const std::vector<std::string>& settings) {
+  const PlannedScene flat = flatten(scene_read_text(text, "error.json", settings), {4, {}});
+  std::vector<Film> films(2, Film({flat.frame.camera.width, flat.frame.camera.height}));
+  reference::render(flat, films[0]);
+  reference::render(flat, films[1], {4, 0});
+  const std::vector<float> expected = films[0].aov(AOV_ERROR).values;
+  const Plane found = films[0].radiance(), exact = films[1].radiance();
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < expected.size(); ++i)
+    errors.push_back(std::abs(found.values[3 * i] - exact.values[3 * i]));
+  return rank_correlation({expected.begin(), expected.end()}, errors).value();
+}
+
+TEST(Adaptive, PixelsKnowWhichOfThemAreOff) {
+  const std::string cloud = lit(SUN, "{" + CLOUD + R"(, "sigma_a": 0.3, "sigma_s": 2.5})");
+  for (const char* tolerance : {"0.1", "0.01", "0.001"})
+    EXPECT_GT(error_ranked(cloud, {R"(/render/method="adaptive")", std::string("/render/tolerance=") + tolerance,
+                                   "/film/size=[24, 18]"}),
+              0.4)
+        << tolerance;
+}
+
+TEST(Adaptive, NoisyPixelsKnowItByTheirSamples) {
+  const std::string cloud = lit(SUN, "{" + CLOUD + R"(, "sigma_a": 0.3, "sigma_s": 2.5})");
+  EXPECT_GT(error_ranked(cloud, {R"(/render/method="ratio_tracking")", "/film/spp=16", "/film/size=[24, 18]"}), 0.4);
+}
+
+TEST(Adaptive, OtherMethodsExpectNothingOfOneSample) {
+  const PlannedScene flat =
+      flatten(scene_read_text(lit(SUN, "{" + CLOUD + R"(, "sigma_s": 2})"), "none.json", {}), {4, {}});
+  Film film({flat.frame.camera.width, flat.frame.camera.height});
+  reference::render(flat, film);
+  for (const float value : film.aov(AOV_ERROR).values) EXPECT_EQ(value, 0);
 }
 
 }  // namespace

@@ -29,20 +29,27 @@ typedef struct {
 
 #define RUN_COLOR(color) (TAU_CHANNELS == 1 ? 0 : (color))
 
-// Light l at all points, unblocked. 0: it reaches none.
+// σs · E · p of light l at a point of the run.
+static inline float3 run_arriving(const Scene* scene, const Stretch* s, const Run* run, int l, int i) {
+  const float3 point = vec_point(s->origin, s->dir, s->ray->t_begin + run->place[i]);
+  const LightSample light = light_sample(scene, l, point, s->walk);
+  if (!(vec_max(light.irradiance) > 0.0f)) return (float3)(0.0f);
+  return vec_unpack(s->medium->sigma_s) * light.irradiance *
+         phase_eval(s->medium->phase, s->medium->g, light.travel, -s->dir);
+}
+
+// Light l at all points, unblocked; of a directional one E and p are the same everywhere. 0: it reaches none.
 static inline int run_weigh(const Scene* scene, const Stretch* s, const Run* run, int l, RunLight* out) {
-  const float3 sigma_s = vec_unpack(s->medium->sigma_s);
+  const int same = USES_LIGHT(DIRECTIONAL) && scene->lights[l].type == LIGHT_DIRECTIONAL;
+  float3 arriving = run_arriving(scene, s, run, l, 0);
   float sum[TAU_CHANNELS];
   for (int c = 0; c < TAU_CHANNELS; ++c) sum[c] = 0.0f;
   out->first = run->count;
   out->last = -1;
   for (int i = 0; i < run->count; ++i) {
-    const float3 point = vec_point(s->origin, s->dir, s->ray->t_begin + run->place[i]);
-    const LightSample light = light_sample(scene, l, point, s->walk);
-    float3 weight = (float3)(0.0f);
-    if (vec_max(light.irradiance) > 0.0f)
-      weight = sigma_s * light.irradiance * phase_eval(s->medium->phase, s->medium->g, light.travel, -s->dir) *
-               (float3)(run->gain[0][i], run->gain[TAU_CHANNELS / 2][i], run->gain[TAU_CHANNELS - 1][i]);
+    if (!same && i > 0) arriving = run_arriving(scene, s, run, l, i);
+    const float3 weight =
+        arriving * (float3)(run->gain[0][i], run->gain[TAU_CHANNELS / 2][i], run->gain[TAU_CHANNELS - 1][i]);
     out->weight[0][i] = weight.x;
     out->weight[1][i] = weight.y;
     out->weight[2][i] = weight.z;

@@ -10,11 +10,12 @@ typedef struct {
   int next, count;    // of the current brick; none of both where it is walked by cells
   float begin, size;  // of its pieces
   float until;        // s behind which nobody asks
+  float cells;        // along the ray, per length
   int to_light;       // rays to lights are walked by rates of their own
 } Pieces;
 
-static inline Pieces pieces_begin(float until, int to_light) {
-  Pieces p = {0, 0, 0.0f, 0.0f, until, to_light};
+static inline Pieces pieces_begin(const MediumRay* ray, float until, int to_light) {
+  Pieces p = {0, 0, 0.0f, 0.0f, until, length(ray->dir), to_light};
   return p;
 }
 
@@ -28,9 +29,10 @@ static inline int pieces_next_brick(const Scene* scene, const Medium* medium, co
   const float rate = piece_row(scene, medium, d->number, p->to_light);
   p->next = p->count = 0;
   if (rate < PIECE_RATE_CELLS) {
-    p->count = max(1, (int)ceil(rate * length(ray->dir) * (d->brick_end - d->s) - PIECE_SLACK));
+    const float way = d->brick_end - d->s;
+    p->count = max(1, (int)ceil(rate * p->cells * way - PIECE_SLACK));
     p->begin = d->s;
-    p->size = (d->brick_end - d->s) / (float)p->count;
+    p->size = p->count == 1 ? way : way / (float)p->count;
   } else {
     axis_enter_brick(&d->x, ray->origin.x, ray->dir.x, d->s);
     axis_enter_brick(&d->y, ray->origin.y, ray->dir.y, d->s);

@@ -44,7 +44,7 @@ static inline Walk walk_begin(const Medium* medium, const MediumRay* ray, Random
   Walk w;
   if (!PLACEMENT_IS(medium, STEPS)) w.dda = dda_begin(medium, ray, 0.0f);
   w.steps = steps_begin(medium, ray, random, method_share(medium->method), method_jitter(medium->method));
-  w.pieces = pieces_begin(ray->length, purpose == WALK_TO_LIGHT);
+  w.pieces = pieces_begin(ray, ray->length, purpose == WALK_TO_LIGHT);
 #if BRUME_TRACKING
   w.track = track_begin(medium, random, METHOD_IS(medium, RESIDUAL_RATIO), purpose != WALK_SCATTERS);
 #endif
@@ -63,7 +63,7 @@ static inline Walk walk_within(const Medium* medium, const MediumRay* ray, Rando
     w.dda = dda_begin(medium, ray, from);
     if (WALKED_IS(medium, PIECES)) {
       w.dda.s = dda_brick_enter(&w.dda);
-      w.pieces = pieces_begin(until, 0);
+      w.pieces = pieces_begin(ray, until, 0);
     } else {
       w.dda.end = until;
     }

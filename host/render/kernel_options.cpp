@@ -22,8 +22,10 @@ constexpr unsigned all_bits(int count) { return (1u << count) - 1; }
 unsigned media_option(const std::vector<MediumWalk>& walks) {
   const auto walked = std::count_if(walks.begin(), walks.end(),
                                     [](const MediumWalk& walk) { return method_rule(walk.method) != RULE_PRODUCT; });
+  const bool adapts =
+      std::any_of(walks.begin(), walks.end(), [](const MediumWalk& walk) { return method_has_tolerance(walk.method); });
   if (walks.size() < 2) return static_cast<unsigned>(walks.size());
-  return walked < 2 ? 2 : walks.size() <= MEDIA_TOGETHER ? 3 : 4;
+  return walked < 2 || adapts ? 2 : walks.size() <= MEDIA_TOGETHER ? 3 : 4;
 }
 
 }  // namespace
@@ -34,7 +36,9 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
   const unsigned phases = bits_used(s.media, [](const MediumBody& m) { return m.phase; });
   const unsigned shapes = bits_used(s.shapes, [](const Shape& shape) { return shape.type; });
   const unsigned lights = bits_used(s.lights, [](const Light& l) { return l.type; });
-  const unsigned rules = s.media.empty() ? 0u : 1u << plan.frame.in_scattering;
+  unsigned rules = 0;
+  for (const MediumWalk& w : plan.walks)
+    rules |= 1u << (method_has_tolerance(w.method) ? IN_SCATTERING_GAUSS2 : plan.frame.in_scattering);
   return {
       {"MEDIA", media_option(plan.walks), 4, "media"},
       {"COLOR_TAU", static_cast<unsigned>(s.color_tau), 1, "an optical depth for each channel"},

@@ -25,6 +25,7 @@ static inline float azimuth(float y, float x) {
 #endif
 }
 static inline float vec_max_abs(float3 v) { return fmax(fmax(fabs(v.x), fabs(v.y)), fabs(v.z)); }
+static inline float vec_mean(float3 v) { return (v.x + v.y + v.z) * (1.0f / 3.0f); }
 static inline float vec_max(float3 v) { return fmax(fmax(v.x, v.y), v.z); }
 static inline float vec_min(float3 v) { return fmin(fmin(v.x, v.y), v.z); }
 // v with a largest component of 1, of a v so short or long that float does not hold its square.

@@ -65,7 +65,8 @@ static inline Beside beside_constant(const Medium* medium, float from, float unt
 // Of a medium over [from, until] of its own s, in which the segments begin and end; what is behind is left out.
 OUTLINED Beside beside_walk(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random, float from,
                             float until, floatW begin, floatW end, uint* lookups) {
-  const int whole = WALKED_IS(medium, STEPS) || RULE_IS(medium, MIDPOINT);  // segments may begin before `from`
+  const int whole = WALKED_IS(medium, STEPS) || WALKED_IS(medium, PIECES) ||
+                    RULE_IS(medium, MIDPOINT);  // segments may begin before `from`
   Beside out = {(floatW)(0.0f), (floatW)(0.0f)};
   Walk walk = walk_within(medium, ray, random, from, until);
   Segments at;
@@ -93,7 +94,7 @@ static inline Beside beside_of(const Scene* scene, const Medium* medium, const M
   const float first = fmax(from + shift, 0.0f), last = fmin(until + shift, ray->length);
   Beside none = {(floatW)(0.0f), (floatW)(0.0f)};
   if (!(last > first)) return none;
-  if (RULE_IS(medium, PRODUCT)) return beside_constant(medium, first, last, begin + shift, end + shift);
+  if (IS_PRODUCT(medium)) return beside_constant(medium, first, last, begin + shift, end + shift);
   return beside_walk(scene, medium, ray, random, first, last, begin + shift, end + shift, lookups);
 }
 

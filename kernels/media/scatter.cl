@@ -3,14 +3,19 @@
 #define BRUME_MEDIA_SCATTER_CL
 #include "media/together.cl"
 
-// Roulette and trackers change τ as their random numbers say, which nobody but the medium itself may see.
-#define WALKS_TOGETHER(scene) \
-  (BRUME_MEDIA >= 3 && TAKES_ENDS(scene) && !(BRUME_ROULETTE && (scene)->frame->roulette > 0.0f))
+// Roulette and trackers change τ as their random numbers say, which nobody but the medium itself may see; `adaptive`
+// asks for light by runs of its own.
+static inline int walks_together(const Scene* scene) {
+  if (BRUME_MEDIA < 3 || !TAKES_ENDS(scene) || (BRUME_ROULETTE && scene->frame->roulette > 0.0f)) return 0;
+  for (int m = 0; USES_METHOD(ADAPTIVE) && m < MEDIA_END(scene); ++m)
+    if (METHOD_IS(scene->media + m, ADAPTIVE)) return 0;
+  return 1;
+}
 
 // A medium that only weakens what is behind it needs no places for light, and nobody asks what the others do along it.
-// Random walks go the same way as ever.
+// Random walks go the same way as ever, and `adaptive` tells its error.
 static inline int medium_only_absorbs(__global const Medium* medium) {
-  return !BRUME_ROULETTE && !PLACEMENT_IS(medium, COLLISIONS) &&
+  return !BRUME_ROULETTE && !PLACEMENT_IS(medium, COLLISIONS) && !METHOD_IS(medium, ADAPTIVE) &&
          !(vec_max(vec_unpack(medium->sigma_s)) > 0.0f || vec_max(vec_unpack(medium->emission)) > 0.0f);
 }
 
@@ -20,16 +25,18 @@ OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 di
   result.lookups = 0;
   result.shadow_key = 0;
   result.shadow_rays = 0;
+  result.error = result.tau_error = 0.0f;
+  const int together = walks_together(scene);
   LongSum radiance = {(float3)(0.0f), (float3)(0.0f)};
   Tau tau = (Tau)(0.0f);
 #if BRUME_MEDIA >= 3
-  for (int m = 0; WALKS_TOGETHER(scene) && m < MEDIA_END(scene);)
+  for (int m = 0; together && m < MEDIA_END(scene);)
     tau += media_scatter_together(scene, &m, origin, dir, t_max, random, &radiance, &result);
 #endif
 #if BRUME_MEDIA
-  for (int m = 0; !WALKS_TOGETHER(scene) && m < MEDIA_END(scene); ++m) {
+  for (int m = 0; !together && m < MEDIA_END(scene); ++m) {
     tau += medium_only_absorbs(scene->media + m)
-               ? medium_tau(scene, m, origin, dir, t_max, random, &result.lookups)
+               ? medium_tau(scene, m, origin, dir, t_max, random, WALK_SEEN, &result.lookups)
                : medium_scatter(scene, m, origin, dir, t_max, random, &radiance, &result);
   }
 #endif

@@ -119,7 +119,7 @@ static inline void strand_scatter(const Scene* scene, const Strands* all, Strand
       stretch_depths(&s, k->sigma_t);
     }
     stretch_gains(scene, &s, k->sigma_t, &k->tau);
-    long_sum_add(radiance, stretch_radiance(scene, &s, result));
+    long_sum_add(radiance, stretch_radiance(scene, &s, 1, result));
   } while (cuts && tau_min(k->tau + others.tau) < TAU_STOP);
   k->stretch.light_t = s.light_t;
   k->stretch.light_tau = s.light_tau;

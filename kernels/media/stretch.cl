@@ -17,6 +17,7 @@
 #define TAU_PART (1.0f / 8.0f)
 #define TAU_PART_GAUSS2 (1.0f / 4.0f)  // of more with light at two points of each
 #define TAU_ENDS_GAUSS2 (1.0f / 2.0f)  // parts that are denser still have the points at their ends
+#define TAU_ENDS_ADAPTIVE (3.0f / 2.0f)  // the same of `adaptive`, whose parts may be up to 1
 #define PARTS_SLACK 0x1p-10f
 // Ends are taken this share of the segment further in: on a face of a medium, light along that face would be in or out
 // by rounding.
@@ -32,6 +33,10 @@
 #define IN_SCATTERING_IS(scene, id)                             \
   ((((BRUME_IN_SCATTERINGS_USED) >> IN_SCATTERING_##id) & 1) && \
    ((BRUME_IN_SCATTERINGS_USED) == (1 << IN_SCATTERING_##id) || (scene)->frame->in_scattering == IN_SCATTERING_##id))
+
+// The same of one medium: `adaptive` has two points in each segment, whatever the frame says.
+#define SUMS_BY(scene, medium, id) \
+  (METHOD_IS(medium, ADAPTIVE) ? IN_SCATTERING_##id == IN_SCATTERING_GAUSS2 : IN_SCATTERING_IS(scene, id))
 
 // τ of the media beside one, carried along a view ray.
 typedef struct {
@@ -187,9 +192,10 @@ static inline floatW stretch_light_parts(const Scene* scene, const Stretch* s) {
 
 // Cuts the segments if one of them is too dense, or too long beside a lamp; 0 if none is.
 static inline int stretch_cut(const Scene* scene, const Stretch* s, Cut* cut) {
-  const float each = IN_SCATTERING_IS(scene, GAUSS2) ? 1.0f / TAU_PART_GAUSS2 : 1.0f / TAU_PART;
+  float each = SUMS_BY(scene, s->medium, GAUSS2) ? 1.0f / TAU_PART_GAUSS2 : 1.0f / TAU_PART;
+  if (METHOD_IS(s->medium, ADAPTIVE)) each = 1.0f / s->medium->tau_part;
   floatW parts = stretch_depth_max(s) * each;
-  if (IN_SCATTERING_IS(scene, GAUSS2) && LIGHTS_ALL(scene) && !RULE_IS(s->medium, PRODUCT) &&
+  if (SUMS_BY(scene, s->medium, GAUSS2) && LIGHTS_ALL(scene) && !IS_PRODUCT(s->medium) &&
       vec_max(vec_unpack(s->medium->sigma_s)) > 0.0f)
     parts = fmax(parts, stretch_light_parts(scene, s));
   parts -= PARTS_SLACK;

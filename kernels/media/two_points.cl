@@ -108,7 +108,7 @@ static inline Colors sources_from_points(const Scene* scene, const Stretch* s, M
 
 // S of each segment.
 static inline Colors stretch_sources(const Scene* scene, Stretch* s, MediumResult* result) {
-  if (IN_SCATTERING_IS(scene, GAUSS2) && !PLACEMENT_IS(s->medium, COLLISIONS))
+  if (SUMS_BY(scene, s->medium, GAUSS2) && !PLACEMENT_IS(s->medium, COLLISIONS))
     return sources_from_points(scene, s, result);
 #if BRUME_LIGHT_GRID
   if (s->medium->light_grids >= 0) return sources_from_grid(scene, s, result);

@@ -257,6 +257,7 @@ double optical_depth(const PlannedScene& scene, int medium, const RayD& ray, dou
   const Interval span = medium_interval(m, ray, 0, t_max);
   if (span.empty()) return 0;
   if (m.is_constant) return m.constant_density * (span.t1 - span.t0);
+  if (to_light && method == METHOD_ADAPTIVE && m.light_steps) method = METHOD_MARCH_MIDPOINT;
   double depth = 0, count = 0;
   segments_visit(scene, m, ray, span, method, random, to_light, [&](const SegmentD& s) {
     depth += s.density_length;

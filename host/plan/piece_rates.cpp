@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <set>
 
 #include "plan/plan_parts.hpp"
@@ -59,7 +60,8 @@ double brick_error(const float* samples, const Weights& weights) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (int v = 0; v < BRICK_CELLS; v += LINES)
       for (int u = 0; u < BRICK_CELLS; u += LINES, ++lines) {
-        const float* first = samples + u * STRIDES[(axis + 1) % 3] + v * STRIDES[(axis + 2) % 3];
+        const int offset = u * STRIDES[(axis + 1) % 3] + v * STRIDES[(axis + 2) % 3];
+        const float* first = samples + offset;
         const double error = line_sum(first, STRIDES[axis], weights);
         squares += error * error;
       }
@@ -68,7 +70,10 @@ double brick_error(const float* samples, const Weights& weights) {
 
 // The bricks of a grid that are stored, each once.
 std::set<std::int32_t> bricks_of(const FlatScene& flat, const BrickGrid& grid) {
-  const auto blocks = [](int bricks) { return static_cast<std::size_t>((bricks - 1) / BRICK_BLOCK + 1); };
+  const auto blocks = [](int bricks) {
+    const int along = (bricks - 1) / BRICK_BLOCK + 1;
+    return static_cast<std::size_t>(along);
+  };
   const std::size_t count = blocks(grid.brick_nx) * blocks(grid.brick_ny) * blocks(grid.brick_nz);
   const auto first = flat.bricks.begin() + grid.brick_offset;
   std::set<std::int32_t> numbers;

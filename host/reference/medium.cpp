@@ -132,7 +132,8 @@ void march_visit(const PlannedScene& scene, const Medium& medium, const RayD& ra
 }
 
 const float* piece_row(const PlannedScene& scene, const Medium& medium, int brick) {
-  return &scene.piece_rates[static_cast<std::size_t>(medium.piece_rates + PIECE_ROW * brick)];
+  const int row = medium.piece_rates + PIECE_ROW * brick;
+  return &scene.piece_rates[static_cast<std::size_t>(row)];
 }
 
 // A segment of a brick by two points that look up wherever they lie in it; `number` tells it from others of the brick.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <set>
 
 #include "plan/plan_parts.hpp"
@@ -29,16 +30,16 @@ void weights_add(double at, double length, int interpolation, Weights& weights) 
   weights[static_cast<std::size_t>(cell) + 1] += static_cast<float>(length * next);
 }
 
-// The sum that two points of each of `pieces` take, less the integral: from the middle of the first cell to that of the
+// The sum that `points` of each of `pieces` take, less the integral: from the middle of the first cell to that of the
 // last, so that pieces and cells do not end together as they hardly ever do.
-Weights error_weights(int pieces, int interpolation) {
+Weights error_weights(int pieces, int points, int interpolation) {
   constexpr double BEGIN = 0.5;
   Weights weights{};
   for (int cell = 0; cell < BRICK_CELLS; ++cell) {
     const double from = std::max<double>(cell, BEGIN), to = std::min<double>(cell + 1, BEGIN + LINE_CELLS);
     weights_add((from + to) / 2, from - to, interpolation, weights);  // exact within a cell
   }
-  const double length = LINE_CELLS / pieces, apart = 0.5 / std::sqrt(3.0);
+  const double length = LINE_CELLS / pieces, apart = points == 2 ? 0.5 / std::sqrt(3.0) : 0;
   for (int piece = 0; piece < pieces; ++piece)
     for (const double side : {-apart, apart})
       weights_add(BEGIN + (piece + 0.5 + side) * length, length / 2, interpolation, weights);
@@ -59,7 +60,8 @@ double brick_error(const float* samples, const Weights& weights) {
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (int v = 0; v < BRICK_CELLS; v += LINES)
       for (int u = 0; u < BRICK_CELLS; u += LINES, ++lines) {
-        const float* first = samples + u * STRIDES[(axis + 1) % 3] + v * STRIDES[(axis + 2) % 3];
+        const int offset = u * STRIDES[(axis + 1) % 3] + v * STRIDES[(axis + 2) % 3];
+        const float* first = samples + offset;
         const double error = line_sum(first, STRIDES[axis], weights);
         squares += error * error;
       }
@@ -68,7 +70,10 @@ double brick_error(const float* samples, const Weights& weights) {
 
 // The bricks of a grid that are stored, each once.
 std::set<std::int32_t> bricks_of(const FlatScene& flat, const BrickGrid& grid) {
-  const auto blocks = [](int bricks) { return static_cast<std::size_t>((bricks - 1) / BRICK_BLOCK + 1); };
+  const auto blocks = [](int bricks) {
+    const int along = (bricks - 1) / BRICK_BLOCK + 1;
+    return static_cast<std::size_t>(along);
+  };
   const std::size_t count = blocks(grid.brick_nx) * blocks(grid.brick_ny) * blocks(grid.brick_nz);
   const auto first = flat.bricks.begin() + grid.brick_offset;
   std::set<std::int32_t> numbers;
@@ -100,6 +105,63 @@ double cell_side(const PlacedGrid& placed) {
   return std::cbrt(std::abs(glm::dot(x, glm::cross(y, z))));
 }
 
+// What a medium is walked by, and how much of the tolerance each brick has.
+struct Bricks {
+  const FlatScene& flat;
+  const PlacedGrid& placed;
+  std::set<std::int32_t> numbers;
+  double side, allowed;  // of a cell; error of a brick, in cells times density
+
+  double error(std::int32_t brick, const Weights& weights) const {
+    return brick_error(samples_of(flat, brick), weights);
+  }
+};
+
+Bricks bricks_judge(double tolerance, const FlatScene& flat, std::size_t medium, const PlacedGrid& placed) {
+  Bricks bricks{flat, placed, bricks_of(flat, flat.grids[static_cast<std::size_t>(placed.grid)]), cell_side(placed), 0};
+  const double column = mean_density(flat, bricks.numbers) * flat.sizes[medium].longest / 2;
+  const double sigma_t = largest_sigma_t(flat.media[medium]);
+  bricks.allowed = SHARE_OF_BRICK * tolerance * (sigma_t * column > 1 ? 1 / sigma_t : column) / bricks.side;
+  return bricks;
+}
+
+// The rows of all bricks; what rays to lights then take on a CPU, in cycles.
+double rates_set(const Bricks& bricks, float* rows) {
+  constexpr double BRICK_CYCLES = 90, POINT_CYCLES = 8, CELL_BY_CELL = 480;
+  std::array<Weights, PIECES.size()> weights;
+  for (std::size_t i = 0; i < PIECES.size(); ++i) weights[i] = error_weights(PIECES[i], 2, bricks.placed.interpolation);
+  double cycles = 0;
+  for (const std::int32_t brick : bricks.numbers) {
+    float* row = rows + PIECE_ROW * brick;
+    row[PIECE_ROUGH] = 0;  // cells are exact
+    for (std::size_t i = PIECES.size(); i-- > 0;) {
+      const double error = bricks.error(brick, weights[i]);
+      if (error > bricks.allowed * LIGHT_COARSER) break;
+      row[PIECE_LIGHT] = float(PIECES[i]) / BRICK_CELLS;
+      if (error > bricks.allowed) continue;
+      row[0] = row[PIECE_LIGHT];
+      row[PIECE_ROUGH] = static_cast<float>(std::pow(error * bricks.side, 2) / LINE_CELLS);
+    }
+    const double points = 2.0 * BRICK_CELLS * row[PIECE_LIGHT];
+    cycles += BRICK_CYCLES + (row[PIECE_LIGHT] < PIECE_RATE_CELLS ? points * POINT_CYCLES : CELL_BY_CELL);
+  }
+  return cycles;
+}
+
+// The longest equal step of rays to lights by which bricks err as little in the mean; 0: it takes longer than pieces.
+double light_step(const Bricks& bricks, double cycles) {
+  constexpr double STEP_CYCLES = 12, STEPS_COARSER = 6;  // errors of equal steps are more alike from ray to ray
+  for (const int steps : {1, 2, 4, 7}) {
+    const Weights weights = error_weights(steps, 1, bricks.placed.interpolation);
+    double squares = 0;
+    for (const std::int32_t brick : bricks.numbers) squares += std::pow(bricks.error(brick, weights), 2);
+    const auto count = static_cast<double>(bricks.numbers.size());
+    if (squares > count * std::pow(bricks.allowed * STEPS_COARSER, 2)) continue;
+    return count * steps * STEP_CYCLES < cycles ? LINE_CELLS / steps * bricks.side : 0;
+  }
+  return 0;
+}
+
 }  // namespace
 
 void adaptive_plan(double tolerance, const FlatScene& flat, std::size_t medium, RenderPlan& plan) {
@@ -107,32 +169,18 @@ void adaptive_plan(double tolerance, const FlatScene& flat, std::size_t medium, 
   walk.tolerance = static_cast<float>(tolerance);
   walk.tau_part = static_cast<float>(std::clamp(std::pow(270 * tolerance, 0.25), 1.0 / 64, 1.0));
   walk.tau_lit = static_cast<float>(std::clamp(std::log(16 / tolerance), 1.0, 24.0));
-  const MediumBody& body = flat.media[medium];
-  const PlacedGrid& placed = flat.placed[static_cast<std::size_t>(medium_placed(body))];
+  const PlacedGrid& placed = flat.placed[static_cast<std::size_t>(medium_placed(flat.media[medium]))];
   if (placed.grid < 0) {
     walk.step = static_cast<float>(flat.sizes[medium].longest * std::min(0.25, std::pow(tolerance, 0.25)));
     return;
   }
-  const std::set<std::int32_t> bricks = bricks_of(flat, flat.grids[static_cast<std::size_t>(placed.grid)]);
-  const double column = mean_density(flat, bricks) * flat.sizes[medium].longest / 2, sigma_t = largest_sigma_t(body);
-  const double side = cell_side(placed);
-  const double allowed = SHARE_OF_BRICK * tolerance * (sigma_t * column > 1 ? 1 / sigma_t : column) / side;
-  std::array<Weights, PIECES.size()> weights;
-  for (std::size_t i = 0; i < PIECES.size(); ++i) weights[i] = error_weights(PIECES[i], placed.interpolation);
+  const Bricks bricks = bricks_judge(tolerance, flat, medium, placed);
   walk.piece_rates = static_cast<int>(plan.piece_rates.size());
   plan.piece_rates.resize(plan.piece_rates.size() + PIECE_ROW * flat.voxels.size() / BRICK_VALUES, PIECE_RATE_CELLS);
-  for (const std::int32_t brick : bricks) {
-    float* row = &plan.piece_rates[static_cast<std::size_t>(walk.piece_rates + PIECE_ROW * brick)];
-    row[PIECE_ROUGH] = 0;  // cells are exact
-    for (std::size_t i = PIECES.size(); i-- > 0;) {
-      const double error = brick_error(samples_of(flat, brick), weights[i]);
-      if (error > allowed * LIGHT_COARSER) break;
-      row[PIECE_LIGHT] = float(PIECES[i]) / BRICK_CELLS;
-      if (error > allowed) continue;
-      row[0] = row[PIECE_LIGHT];
-      row[PIECE_ROUGH] = static_cast<float>(std::pow(error * side, 2) / LINE_CELLS);
-    }
-  }
+  const double cycles = rates_set(bricks, &plan.piece_rates[static_cast<std::size_t>(walk.piece_rates)]);
+  const double step = light_step(bricks, cycles);
+  walk.light_steps = step > 0;
+  if (step > 0) walk.step = static_cast<float>(step);
 }
 
 }  // namespace brume

@@ -36,7 +36,7 @@ MediumWalk walk_plan(const SceneDesc& desc, const MediumDesc& m, const FlatScene
   const int method = method_resolve(desc, m);
   if (takes_constant(desc, m) != is_constant(flat, medium))
     throw InputError(desc.file.string() + ": " + m.place + ": the scene was flattened for another kind of method");
-  MediumWalk walk{method, 0, 0, -1, 0, 0, 0, 0};
+  MediumWalk walk{method, 0, 0, -1, 0, 0, 0, 0, 0};
   walk.step = static_cast<float>(m.step.value_or(desc.render.step) * flat.sizes[medium].longest);
   if (!is_constant(flat, medium)) walk.track_sigma = track_sigma_of(flat.media[medium], flat.sizes[medium]);
   return walk;

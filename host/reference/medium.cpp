@@ -132,7 +132,8 @@ void march_visit(const PlannedScene& scene, const Medium& medium, const RayD& ra
 }
 
 const float* piece_row(const PlannedScene& scene, const Medium& medium, int brick) {
-  return &scene.piece_rates[static_cast<std::size_t>(medium.piece_rates + PIECE_ROW * brick)];
+  const int row = medium.piece_rates + PIECE_ROW * brick;
+  return &scene.piece_rates[static_cast<std::size_t>(row)];
 }
 
 // A segment of a brick by two points that look up wherever they lie in it; `number` tells it from others of the brick.
@@ -257,6 +258,7 @@ double optical_depth(const PlannedScene& scene, int medium, const RayD& ray, dou
   const Interval span = medium_interval(m, ray, 0, t_max);
   if (span.empty()) return 0;
   if (m.is_constant) return m.constant_density * (span.t1 - span.t0);
+  if (to_light && method == METHOD_ADAPTIVE && m.light_steps) method = METHOD_MARCH_MIDPOINT;
   double depth = 0, count = 0;
   segments_visit(scene, m, ray, span, method, random, to_light, [&](const SegmentD& s) {
     depth += s.density_length;

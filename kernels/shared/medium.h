@@ -79,8 +79,9 @@ typedef struct {
   float tau_part;     // optical depth above which a segment is cut
   float tau_lit;      // optical depth behind which no light is asked for
   int piece_rates;    // its rows of RenderPlan::piece_rates begin there
+  int light_steps;    // rays to lights take equal steps of `step` instead of pieces
 } MediumWalk;
-BRUME_LAYOUT(MediumWalk, 32);
+BRUME_LAYOUT(MediumWalk, 36);
 
 // All of it side by side, as kernels read it: one copy out of memory for every ray.
 typedef struct {
@@ -96,9 +97,9 @@ typedef struct {
   float step, track_sigma;
   int light_grids;
   float tolerance, tau_part, tau_lit;
-  int piece_rates;
+  int piece_rates, light_steps;
 } Medium;
-BRUME_LAYOUT(Medium, 240);
+BRUME_LAYOUT(Medium, 244);
 
 #ifndef __OPENCL_C_VERSION__
 static inline int medium_placed(MediumBody body) { return body.density >= 0 ? body.density : body.glow; }
@@ -135,6 +136,7 @@ static inline Medium medium_join(const BrickGrid* grid, const PlacedGrid* placed
   m.tau_part = walk->tau_part;
   m.tau_lit = walk->tau_lit;
   m.piece_rates = walk->piece_rates;
+  m.light_steps = walk->light_steps;
   return m;
 }
 #endif

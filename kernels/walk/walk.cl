@@ -141,7 +141,8 @@ static inline float walk_total(const Scene* scene, const Medium* medium, const M
   if (!(ray->length > 0.0f)) return 0.0f;
   if (IS_PRODUCT(medium)) return homogeneous_total(medium, ray);
   Walk walk = walk_begin(medium, ray, random, purpose);
-  if (WALKED_IS(medium, STEPS)) return steps_total(scene, medium, ray, &walk.steps, sigma, lookups);
+  const int light_steps = METHOD_IS(medium, ADAPTIVE) && purpose == WALK_TO_LIGHT && medium->light_steps;
+  if (WALKED_IS(medium, STEPS) || light_steps) return steps_total(scene, medium, ray, &walk.steps, sigma, lookups);
   Segments at;
   float total = 0.0f;
   while (total * sigma < TAU_STOP) {  // one call of walk_next: every call site is compiled anew

@@ -15,8 +15,8 @@
 #define TAU_THIN (1.0f / 16.0f)
 #define TAU_THIN_CONSTANT (1.0f / 512.0f)  // of a constant medium, through which a depth is one product
 #define TAU_PART (1.0f / 8.0f)
-#define TAU_PART_GAUSS2 (1.0f / 4.0f)  // of more with light at two points of each
-#define TAU_ENDS_GAUSS2 (1.0f / 2.0f)  // parts that are denser still have the points at their ends
+#define TAU_PART_GAUSS2 (1.0f / 4.0f)    // of more with light at two points of each
+#define TAU_ENDS_GAUSS2 (1.0f / 2.0f)    // parts that are denser still have the points at their ends
 #define TAU_ENDS_ADAPTIVE (3.0f / 2.0f)  // the same of `adaptive`, whose parts may be up to 1
 #define PARTS_SLACK 0x1p-10f
 // Ends are taken this share of the segment further in: on a face of a medium, light along that face would be in or out

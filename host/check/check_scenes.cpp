@@ -220,8 +220,8 @@ constexpr SceneText SCENES[] = {
   "camera": {"eye": [0.7, 0.9, 3.5], "target": [0, 0, 0], "vfov": 40},
   "lights": [{"type": "directional", "direction": [-0.5, -1, -0.3], "irradiance": 4}, {"type": "point", "position": [0.2, 1.6, -0.6]}],
   "media": [{"density": {"type": "sphere", "of": {"type": "perlin", "resolution": [21, 17, 26], "scale": 3, "octaves": 3, "seed": 7}},
-             "interpolation": "nearest", "sigma_a": 0.5, "sigma_s": 9}],
-  "render": {"method": "adaptive", "light_samples": 1, "roulette": 0.3}})"},
+             "sigma_a": 0.5, "sigma_s": 9}],
+  "render": {"method": "adaptive", "tolerance": 0.0002, "light_samples": 1, "roulette": 0.3}})"},
     {"empty", R"({"background": [0.25, 0.5, 0.75], "film": {"spp": 5}})"},
 };
 

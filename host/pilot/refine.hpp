@@ -7,8 +7,8 @@
 
 namespace brume {
 
-// The next finer settings: half the step, a quarter of the tolerance, twice the cells of light grids, light at two points of each segment. Nothing
-// where there are none.
+// The next finer settings: half the step, a quarter of the tolerance, twice the cells of light grids, light at two
+// points of each segment. Nothing where there are none.
 std::optional<SceneDesc> settings_finer(const SceneDesc& desc);
 
 // Renders every 16th pixel of the frame's crop by `finer`, then all of those tiles of 8 x 8 where that differs from the

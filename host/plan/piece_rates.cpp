@@ -1,5 +1,5 @@
-// How finely `adaptive` walks a medium (PICTURE, Pieces): what pieces of each brick would err by, measured along lines of
-// its own samples, against what the tolerance allows.
+// How finely `adaptive` walks a medium (PICTURE, Pieces): what pieces of each brick would err by, measured along lines
+// of its own samples, against what the tolerance allows.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -24,25 +24,24 @@ double largest_sigma_t(const MediumBody& m) {
 }
 
 // Adds to the samples along a line what they bring to length times the density at `at`.
-void weights_add(double at, double length, int interpolation, Weights& weights) {
-  const double cell = std::floor(at), next = interpolation == INTERPOLATION_NEAREST ? 0 : at - cell;
+void weights_add(double at, double length, Weights& weights) {
+  const double cell = std::floor(at), next = at - cell;
   weights[static_cast<std::size_t>(cell)] += static_cast<float>(length * (1 - next));
   weights[static_cast<std::size_t>(cell) + 1] += static_cast<float>(length * next);
 }
 
 // The sum that `points` of each of `pieces` take, less the integral: from the middle of the first cell to that of the
 // last, so that pieces and cells do not end together as they hardly ever do.
-Weights error_weights(int pieces, int points, int interpolation) {
+Weights error_weights(int pieces, int points) {
   constexpr double BEGIN = 0.5;
   Weights weights{};
   for (int cell = 0; cell < BRICK_CELLS; ++cell) {
     const double from = std::max<double>(cell, BEGIN), to = std::min<double>(cell + 1, BEGIN + LINE_CELLS);
-    weights_add((from + to) / 2, from - to, interpolation, weights);  // exact within a cell
+    weights_add((from + to) / 2, from - to, weights);  // exact within a cell
   }
   const double length = LINE_CELLS / pieces, apart = points == 2 ? 0.5 / std::sqrt(3.0) : 0;
   for (int piece = 0; piece < pieces; ++piece)
-    for (const double side : {-apart, apart})
-      weights_add(BEGIN + (piece + 0.5 + side) * length, length / 2, interpolation, weights);
+    for (const double side : {-apart, apart}) weights_add(BEGIN + (piece + 0.5 + side) * length, length / 2, weights);
   return weights;
 }
 
@@ -129,7 +128,7 @@ Bricks bricks_judge(double tolerance, const FlatScene& flat, std::size_t medium,
 double rates_set(const Bricks& bricks, float* rows) {
   constexpr double BRICK_CYCLES = 90, POINT_CYCLES = 8, CELL_BY_CELL = 480;
   std::array<Weights, PIECES.size()> weights;
-  for (std::size_t i = 0; i < PIECES.size(); ++i) weights[i] = error_weights(PIECES[i], 2, bricks.placed.interpolation);
+  for (std::size_t i = 0; i < PIECES.size(); ++i) weights[i] = error_weights(PIECES[i], 2);
   double cycles = 0;
   for (const std::int32_t brick : bricks.numbers) {
     float* row = rows + PIECE_ROW * brick;
@@ -152,7 +151,7 @@ double rates_set(const Bricks& bricks, float* rows) {
 double light_step(const Bricks& bricks, double cycles) {
   constexpr double STEP_CYCLES = 12, STEPS_COARSER = 6;  // errors of equal steps are more alike from ray to ray
   for (const int steps : {1, 2, 4, 7}) {
-    const Weights weights = error_weights(steps, 1, bricks.placed.interpolation);
+    const Weights weights = error_weights(steps, 1);
     double squares = 0;
     for (const std::int32_t brick : bricks.numbers) squares += std::pow(bricks.error(brick, weights), 2);
     const auto count = static_cast<double>(bricks.numbers.size());

@@ -6,7 +6,7 @@
 
 namespace brume::reference {
 
-// Where along a ray, from the world, the cones of a spot lie: its soft edge in eight equal parts of 1 - cos. In no order.
+// Where along a ray the cones of a spot lie: its soft edge in eight equal parts of 1 - cos. In no order.
 std::vector<double> spot_cones(const Light& light, const RayD& ray);
 
 // Of medium `index` along a view ray up to t_max, in order and without gaps.

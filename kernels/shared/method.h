@@ -43,31 +43,31 @@
 
 // ROW(ID, name, densities that it fits, placement, rule, share of a segment before its sample, over how much more of it
 // the sample is drawn, draws, densities for which it is exact, help). `auto` takes the first that is exact.
-#define BRUME_METHODS(ROW)                                                                                           \
-  ROW(DDA_NEAREST, "dda_nearest", FITS_NEAREST, CELLS, NEAREST, 0.5f, 0.0f, DRAWS_NOTHING, FITS_NEAREST,             \
-      "voxel by voxel; exact for nearest")                                                                           \
-  ROW(DDA_GAUSS2, "dda_gauss2", FITS_TRILINEAR, CELLS, GAUSS2, 0.5f, 0.0f, DRAWS_NOTHING, FITS_TRILINEAR,            \
-      "cell by cell, 2-point Gauss-Legendre; exact for trilinear")                                                   \
-  ROW(DDA_MIDPOINT, "dda_midpoint", FITS_TRILINEAR, CELLS, MIDPOINT, 0.5f, 0.0f, DRAWS_NOTHING, 0,                   \
-      "cell by cell, one sample in the middle")                                                                      \
-  ROW(MARCH_REGULAR, "march_regular", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.0f, 0.0f, DRAWS_NOTHING, 0,    \
-      "equal steps, one sample where each begins")                                                                   \
-  ROW(MARCH_REGULAR_JITTER, "march_regular_jitter", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.0f, 1.0f,        \
-      DRAWS_PLACES, 0, "equal steps, one sample anywhere in each")                                                   \
-  ROW(MARCH_MIDPOINT, "march_midpoint", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.5f, 0.0f, DRAWS_NOTHING, 0,  \
-      "equal steps, one sample in the middle of each")                                                               \
-  ROW(MARCH_MIDPOINT_JITTER, "march_midpoint_jitter", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.25f, 0.5f,     \
-      DRAWS_PLACES, 0, "equal steps, one sample anywhere in the middle half of each")                                \
-  ROW(DELTA_TRACKING, "delta_tracking", FITS_NEAREST | FITS_TRILINEAR, COLLISIONS, SAMPLE, 0.0f, 0.0f,               \
-      DRAWS_COLLISIONS, 0, "to the first collision; unbiased, noisy: transmittance is 0 or 1")                       \
-  ROW(RATIO_TRACKING, "ratio_tracking", FITS_NEAREST | FITS_TRILINEAR, COLLISIONS, SAMPLE, 0.0f, 0.0f,               \
-      DRAWS_COLLISIONS, 0, "through all collisions, weakened by each; unbiased")                                     \
-  ROW(RESIDUAL_RATIO, "residual_ratio", FITS_NEAREST | FITS_TRILINEAR, COLLISIONS, SAMPLE, 0.0f, 0.0f,               \
-      DRAWS_COLLISIONS, 0, "ratio tracking of what exceeds each brick's smallest density; unbiased")                 \
-  ROW(HOMOGENEOUS, "homogeneous", FITS_CONSTANT, STEPS, PRODUCT, 0.5f, 0.0f, DRAWS_NOTHING, FITS_CONSTANT,           \
-      "closed form for a constant density (also cut to a sphere); equal steps for the light")                        \
-  ROW(ADAPTIVE, "adaptive", FITS_NEAREST | FITS_TRILINEAR | FITS_CONSTANT, PIECES, PIECE, 0.5f, 0.0f, DRAWS_NOTHING, \
-      0, "as fine as render.tolerance asks: pieces of bricks, light where it bends")
+#define BRUME_METHODS(ROW)                                                                                          \
+  ROW(DDA_NEAREST, "dda_nearest", FITS_NEAREST, CELLS, NEAREST, 0.5f, 0.0f, DRAWS_NOTHING, FITS_NEAREST,            \
+      "voxel by voxel; exact for nearest")                                                                          \
+  ROW(DDA_GAUSS2, "dda_gauss2", FITS_TRILINEAR, CELLS, GAUSS2, 0.5f, 0.0f, DRAWS_NOTHING, FITS_TRILINEAR,           \
+      "cell by cell, 2-point Gauss-Legendre; exact for trilinear")                                                  \
+  ROW(DDA_MIDPOINT, "dda_midpoint", FITS_TRILINEAR, CELLS, MIDPOINT, 0.5f, 0.0f, DRAWS_NOTHING, 0,                  \
+      "cell by cell, one sample in the middle")                                                                     \
+  ROW(MARCH_REGULAR, "march_regular", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.0f, 0.0f, DRAWS_NOTHING, 0,   \
+      "equal steps, one sample where each begins")                                                                  \
+  ROW(MARCH_REGULAR_JITTER, "march_regular_jitter", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.0f, 1.0f,       \
+      DRAWS_PLACES, 0, "equal steps, one sample anywhere in each")                                                  \
+  ROW(MARCH_MIDPOINT, "march_midpoint", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.5f, 0.0f, DRAWS_NOTHING, 0, \
+      "equal steps, one sample in the middle of each")                                                              \
+  ROW(MARCH_MIDPOINT_JITTER, "march_midpoint_jitter", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.25f, 0.5f,    \
+      DRAWS_PLACES, 0, "equal steps, one sample anywhere in the middle half of each")                               \
+  ROW(DELTA_TRACKING, "delta_tracking", FITS_NEAREST | FITS_TRILINEAR, COLLISIONS, SAMPLE, 0.0f, 0.0f,              \
+      DRAWS_COLLISIONS, 0, "to the first collision; unbiased, noisy: transmittance is 0 or 1")                      \
+  ROW(RATIO_TRACKING, "ratio_tracking", FITS_NEAREST | FITS_TRILINEAR, COLLISIONS, SAMPLE, 0.0f, 0.0f,              \
+      DRAWS_COLLISIONS, 0, "through all collisions, weakened by each; unbiased")                                    \
+  ROW(RESIDUAL_RATIO, "residual_ratio", FITS_NEAREST | FITS_TRILINEAR, COLLISIONS, SAMPLE, 0.0f, 0.0f,              \
+      DRAWS_COLLISIONS, 0, "ratio tracking of what exceeds each brick's smallest density; unbiased")                \
+  ROW(HOMOGENEOUS, "homogeneous", FITS_CONSTANT, STEPS, PRODUCT, 0.5f, 0.0f, DRAWS_NOTHING, FITS_CONSTANT,          \
+      "closed form for a constant density (also cut to a sphere); equal steps for the light")                       \
+  ROW(ADAPTIVE, "adaptive", FITS_TRILINEAR | FITS_CONSTANT, PIECES, PIECE, 0.5f, 0.0f, DRAWS_NOTHING, 0,            \
+      "as fine as render.tolerance asks: pieces of bricks, light where it bends")
 
 // How the light scattered along a segment is summed.
 #define BRUME_IN_SCATTERINGS(ROW)                                                                \

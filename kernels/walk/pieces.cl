@@ -50,6 +50,16 @@ typedef struct {
 #endif
 } PieceBricks;
 
+static inline PieceBricks piece_bricks_none(void) {
+  PieceBricks b;
+  b.base = (intW)(0);
+  b.x = b.y = b.z = (floatW)(0.0f);
+#if BRUME_STORAGE == 2
+  b.zero = b.part = (floatW)(0.0f);
+#endif
+  return b;
+}
+
 static inline void piece_bricks_set(const Dda* d, int n, PieceBricks* b) {
   const intW from_n = lanes_iota() >= (floatW)((float)n);
   b->base = lanes_select(b->base, (intW)(d->base), from_n);
@@ -96,7 +106,7 @@ static inline void pieces_fill(const Scene* scene, const Medium* medium, const M
                                Segments* out) {
   Dda d = *dda;
   Pieces p = *pieces;
-  PieceBricks bricks = {(intW)(0), (floatW)(0.0f), (floatW)(0.0f), (floatW)(0.0f)};
+  PieceBricks bricks = piece_bricks_none();
   int n = 0;
   while (n < W && (d.s < d.brick_end || pieces_next_brick(scene, medium, ray, &d, &p))) {
     piece_bricks_set(&d, n, &bricks);

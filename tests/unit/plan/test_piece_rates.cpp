@@ -62,11 +62,6 @@ TEST(PieceRates, ThinAndDenseMediaAreHeldToTheirOwnLight) {
   EXPECT_GT(walked_by_cells(planned(ROUGH, 1e-2, R"(, "sigma_a": 1e6)")), 0.9);
 }
 
-TEST(PieceRates, VoxelsOfNearestAreSeenAsSteps) {
-  const std::string nearest = R"(, "interpolation": "nearest")";
-  EXPECT_GT(walked_by_cells(planned(ROUGH, 1e-2, nearest)), walked_by_cells(planned(ROUGH, 1e-2)));
-}
-
 TEST(PieceRates, ConstantDensitiesHaveNone) {
   const PlannedScene scene = planned(R"({"type": "sphere", "of": {"type": "constant"}})", 1e-4);
   EXPECT_TRUE(scene.piece_rates.empty());

@@ -41,6 +41,10 @@ constexpr Setting SETTINGS[] = {
     {"march_midpoint_2/grid32", METHOD_MARCH_MIDPOINT, 2, SHADOW_GRID, 32},
     {"march_midpoint_4/grid32", METHOD_MARCH_MIDPOINT, 4, SHADOW_GRID, 32},
     {"march_midpoint_6/grid24", METHOD_MARCH_MIDPOINT, 6, SHADOW_GRID, 24},
+    {"adaptive_1e-1/trace", METHOD_ADAPTIVE, 0, SHADOW_TRACE, 64, STORAGE_F32, 1e-1},
+    {"adaptive_1e-2/trace", METHOD_ADAPTIVE, 0, SHADOW_TRACE, 64, STORAGE_F32, 1e-2},
+    {"adaptive_1e-3/trace", METHOD_ADAPTIVE, 0, SHADOW_TRACE, 64, STORAGE_F32, 1e-3},
+    {"adaptive_1e-2/grid64", METHOD_ADAPTIVE, 0, SHADOW_GRID, 64, STORAGE_F32, 1e-2},
 };
 
 constexpr bool has_setting(int method) {
@@ -73,6 +77,7 @@ SceneDesc scene_of(const Workload& work, const Setting& setting) {
   if (method_fits(setting.method) == FITS_NEAREST) desc.media[0].interpolation = INTERPOLATION_NEAREST;
   desc.render.method = setting.method;
   if (setting.step_voxels > 0) desc.render.step = setting.step_voxels * work.voxel_size() / workload_longest(work);
+  if (setting.tolerance > 0) desc.render.tolerance = setting.tolerance;
   desc.render.shadow = setting.shadow;
   desc.render.light_grid = setting.light_grid;
   desc.render.storage = setting.storage;

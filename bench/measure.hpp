@@ -14,6 +14,7 @@ struct Setting {
   int method;
   double step_voxels;  // of marchers; 0 for the others
   int shadow, light_grid = 64, storage = STORAGE_F32;
+  double tolerance = 0;  // of adaptive
 };
 const std::vector<Setting>& settings();
 

@@ -43,6 +43,19 @@ std::optional<double> variance_common(const std::vector<Scatter>& all) {
   return quantile(variances, 0.5);
 }
 
+// The place of each value among all, from 0; equal ones take the mean of theirs.
+std::vector<double> ranks_of(const std::vector<double>& values) {
+  std::vector<std::size_t> order(values.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return values[i] < values[j]; });
+  std::vector<double> ranks(values.size());
+  for (std::size_t first = 0, last; first < order.size(); first = last) {
+    for (last = first; last < order.size() && values[order[last]] == values[order[first]];) ++last;
+    for (std::size_t i = first; i < last; ++i) ranks[order[i]] = (static_cast<double>(first + last) - 1) / 2;
+  }
+  return ranks;
+}
+
 }  // namespace
 
 double quantile(std::vector<double> values, double share) {
@@ -56,6 +69,19 @@ double quantile(std::vector<double> values, double share) {
 Summary summary_of(const std::vector<double>& values) {
   const double tail = values.size() < 5 ? 0 : 0.25;
   return {quantile(values, 0.5), (quantile(values, 1 - tail) - quantile(values, tail)) / 2};
+}
+
+std::optional<double> rank_correlation(const std::vector<double>& x, const std::vector<double>& y) {
+  const std::vector<double> a = ranks_of(x), b = ranks_of(y);
+  const double mean = (static_cast<double>(x.size()) - 1) / 2;
+  double ab = 0, aa = 0, bb = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    ab += (a[i] - mean) * (b[i] - mean);
+    aa += (a[i] - mean) * (a[i] - mean);
+    bb += (b[i] - mean) * (b[i] - mean);
+  }
+  if (!(aa > 0 && bb > 0)) return std::nullopt;
+  return ab / std::sqrt(aa * bb);
 }
 
 std::optional<double> power_fitted(const std::vector<double>& x, const std::vector<double>& y) {

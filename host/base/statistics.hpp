@@ -17,6 +17,10 @@ Summary summary_of(const std::vector<double>& values);
 // Slope of log(y) over log(x), least squares: y grows like x to that power. Nothing for fewer than two x that differ.
 std::optional<double> power_fitted(const std::vector<double>& x, const std::vector<double>& y);
 
+// Correlation of the ranks of two lists of the same length [Spearman04]: 1 where one grows with the other, whatever the
+// curve; equal values share a rank. Nothing where either is the same throughout.
+std::optional<double> rank_correlation(const std::vector<double>& x, const std::vector<double>& y);
+
 // One thing, timed before and after a change.
 struct TimesPair {
   std::vector<double> before, after;  // all > 0

@@ -3,11 +3,15 @@
 #include <optional>
 
 #include "chart/point.hpp"
+#include "image/image.hpp"
 
 namespace brume {
 
 // Marks the points that no other is both quicker and closer than. Errors below `floor`, that of the exact picture
 // itself, cannot be told from it: of those the quickest counts.
+// How well the plane `error` of a picture tells where it is off from the exact one; nothing where it tells nothing.
+std::optional<double> error_rank(const std::vector<float>& expected, const Image& picture, const Image& exact);
+
 void pareto_mark(std::vector<ChartPoint>& points, double floor);
 
 // log(error) falls along log(knob) by this much.

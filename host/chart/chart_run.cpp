@@ -149,6 +149,7 @@ class Run {
       point.lookups = picture->lookups;
       const CompareResult error = image_compare(picture->image, *exact);
       point.rel_rmse = error.rel_rmse;
+      point.error_rank = error_rank(picture->expected_error, picture->image, *exact);
       point.max_abs = error.max_abs;
       point.display = error.display_p99;
       folder_.point_write(knobs, picture->image, *exact, scene_.desc().film.exposure);

@@ -23,7 +23,7 @@ constexpr double LONG_SECONDS = 20;  // of one run, which then stands alone
 
 std::vector<bool> constant_media(const SceneDesc& set) {
   std::vector<bool> constant;
-  for (const MediumRow& row : media_rows(set)) constant.push_back(method_resolve(set, *row.desc) == METHOD_HOMOGENEOUS);
+  for (const MediumRow& row : media_rows(set)) constant.push_back(takes_constant(set, *row.desc));
   return constant;
 }
 
@@ -40,8 +40,10 @@ KnobLimits limits_of(const FlatScene& flat, const SceneDesc& desc) {
 }
 
 // Segments along the longest way, and lookups of each.
-double lookups_of(const MethodRow& row, double step, double cells) {
+double lookups_of(const MethodRow& row, const Knobs& knobs, double cells) {
   constexpr double COLLISIONS = 1;  // per cell: nobody knows before
+  const double step = knobs.step;
+  if (row.placement == PLACEMENT_PIECES) return cells * 0.05 / std::pow(knobs.tolerance, 0.25);
   if (row.placement == PLACEMENT_STEPS) return (row.rule == RULE_PRODUCT ? 1 : rule_lookups(row.rule)) / step;
   return cells * (row.placement == PLACEMENT_CELLS ? rule_lookups(row.rule) : COLLISIONS);
 }
@@ -67,7 +69,7 @@ double ChartScene::cost(const Knobs& knobs) {
   const double pixels = double(desc_.film.size.x) * desc_.film.size.y, lights = double(desc_.lights.size());
   if (knobs.method == METHOD_NONE) return pixels * knobs.spp;
   const MethodRow row = method_row(knobs.method);
-  const double ray = lookups_of(row, knobs.step, std::max(limits_.cells, 1));
+  const double ray = lookups_of(row, knobs, std::max(limits_.cells, 1));
   const bool traces = knobs.light_grid == 0 && row.rule != RULE_PRODUCT;
   const double grid = 4 * lights * std::pow(double(knobs.light_grid), 3);
   const double points = knobs.rule == IN_SCATTERING_GAUSS2 ? 2 : 1;
@@ -93,7 +95,9 @@ std::optional<ChartPicture> ChartScene::render(const SceneDesc& set, bool timed,
   const double first = run(film);
   if (first < 0) return std::nullopt;
   const Frame& frame = plan.frame;
-  picture.image = film_image(film.cut({frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1}));
+  const Film shown = film.cut({frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1});
+  picture.image = film_image(shown);
+  picture.expected_error = shown.aov(AOV_ERROR).values;
   std::vector<double> times;
   double spent = 0;
   while (timed && first < LONG_SECONDS && int(times.size()) < (spent < RUNS_SECONDS ? RUNS_MOST : RUNS_LEAST)) {

@@ -28,6 +28,7 @@ struct ChartOptions {
 // The picture of a setting, cut to the crop.
 struct ChartPicture {
   Image image;
+  std::vector<float> expected_error;  // of each pixel: the plane `error`
   double seconds = 0, seconds_spread = 0, build_seconds = 0, lookups = 0;
   int runs = 0;
 };

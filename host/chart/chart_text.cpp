@@ -24,15 +24,17 @@ struct Column {
 
 Json text_of(const Family& family, int id) { return std::string(family_name(family, id)); }
 bool has_media(const ChartPoint& p) { return p.knobs.method != METHOD_NONE; }
+bool takes_rule(const ChartPoint& p) { return has_media(p) && !(p.knobs.tolerance > 0); }
 
 const Column COLUMNS[] = {
     {"method", [](const ChartPoint& p) -> Json { return knobs_method(p.knobs); }},
     {"step", [](const ChartPoint& p) { return p.knobs.step > 0 ? Json(p.knobs.step) : Json(); }},
-    {"tolerance", [](const ChartPoint&) { return Json(); }},  // of methods that do not exist yet
+    {"tolerance", [](const ChartPoint& p) { return p.knobs.tolerance > 0 ? Json(p.knobs.tolerance) : Json(); }},
     {"level", [](const ChartPoint&) { return Json(); }},
     {"light_grid", [](const ChartPoint& p) { return p.knobs.light_grid > 0 ? Json(p.knobs.light_grid) : Json(); }},
     {"storage", [](const ChartPoint& p) { return has_media(p) ? text_of(storage_family(), p.knobs.storage) : Json(); }},
-    {"rule", [](const ChartPoint& p) { return has_media(p) ? text_of(in_scattering_family(), p.knobs.rule) : Json(); }},
+    {"rule",
+     [](const ChartPoint& p) { return takes_rule(p) ? text_of(in_scattering_family(), p.knobs.rule) : Json(); }},
     {"spp", [](const ChartPoint& p) -> Json { return p.knobs.spp; }},
     {"seconds", [](const ChartPoint& p) -> Json { return p.seconds; }},
     {"seconds_spread", [](const ChartPoint& p) { return p.runs > 1 ? Json(p.seconds_spread) : Json(); }},
@@ -48,6 +50,7 @@ Json point_json(const ChartPoint& point) {
   Json json{{"id", knobs_id(point.knobs)}};
   for (const Column& column : COLUMNS) json[column.name] = column.value(point);
   json["runs"] = point.runs;
+  json["error_rank"] = point.error_rank ? Json(*point.error_rank) : Json();
   return json;
 }
 
@@ -96,6 +99,7 @@ ChartPoint point_read(const JsonValue& json) {
   const JsonValue method = json.get("method");
   p.knobs.method = method.as_string() == "none" ? METHOD_NONE : method.as_member(method_family(), "method");
   p.knobs.step = number_or(json, "step", 0, Range::positive());
+  p.knobs.tolerance = number_or(json, "tolerance", 0, Range::positive());
   p.knobs.light_grid = static_cast<int>(number_or(json, "light_grid", 0, Range::closed(1, 4096)));
   p.knobs.storage = member_or(json, "storage", STORAGE_F32, storage_family());
   p.knobs.rule = member_or(json, "rule", IN_SCATTERING_SEGMENT, in_scattering_family());
@@ -103,6 +107,8 @@ ChartPoint point_read(const JsonValue& json) {
   p.seconds = json.get("seconds").as_number(SECONDS);
   p.seconds_spread = number_or(json, "seconds_spread", 0, SECONDS);
   p.runs = json.get("runs").as_integer(1, MANY);
+  if (json.has("error_rank") && !json.get("error_rank").is_null())
+    p.error_rank = json.get("error_rank").as_number(Range::closed(-1, 1));
   p.build_seconds = json.get("build_seconds").as_number(SECONDS);
   p.lookups = json.get("lookups").as_number(COUNTS);
   p.rel_rmse = number_or(json, "rel_rmse", 0, COUNTS);

@@ -18,6 +18,7 @@ namespace {
 // Which methods a sweep is for.
 bool any_method(const MethodRow&) { return true; }
 bool draws_nothing(const MethodRow& row) { return row.draws == DRAWS_NOTHING; }
+bool takes_rules(const MethodRow& row) { return draws_nothing(row) && row.placement != PLACEMENT_PIECES; }
 bool draws(const MethodRow& row) { return row.draws != DRAWS_NOTHING; }
 // Light grids serve all that do not collide; a constant density needs none.
 bool walks(const MethodRow& row) { return row.draws != DRAWS_COLLISIONS && row.rule != RULE_PRODUCT; }
@@ -45,8 +46,8 @@ constexpr Sweep SWEEPS[] = {
     {draws, COARSE_STEP, TRACED, ALL_SPPS, STORAGE_F32, IN_SCATTERING_SEGMENT},
     {walks, ALL_STEPS, ONE_GRID, SCENE_SPP, STORAGE_F32, IN_SCATTERING_SEGMENT},
     {samples_middles, ALL_STEPS, ALL_GRIDS, SCENE_SPP, STORAGE_F32, IN_SCATTERING_SEGMENT},
-    {draws_nothing, ALL_STEPS, TRACED, SCENE_SPP, STORAGE_F32, IN_SCATTERING_RECTANGLE},
-    {draws_nothing, ALL_STEPS, TRACED, SCENE_SPP, STORAGE_F32, IN_SCATTERING_GAUSS2},
+    {takes_rules, ALL_STEPS, TRACED, SCENE_SPP, STORAGE_F32, IN_SCATTERING_RECTANGLE},
+    {takes_rules, ALL_STEPS, TRACED, SCENE_SPP, STORAGE_F32, IN_SCATTERING_GAUSS2},
     {reads_voxels, CELL_STEP, ONE_GRID, SCENE_SPP, STORAGE_F16, IN_SCATTERING_SEGMENT},
     {reads_voxels, CELL_STEP, ONE_GRID, SCENE_SPP, STORAGE_U8, IN_SCATTERING_SEGMENT},
 };
@@ -56,6 +57,14 @@ int finest_step(const KnobLimits& limits) {
   const int half_a_cell = static_cast<int>(std::lround(std::log2(limits.cells))) + 1;
   return std::clamp(half_a_cell, COARSEST + 3, FINEST);
 }
+
+constexpr double TOLERANCES[] = {0.3, 0.1, 0.03, 0.01, 3e-3, 1e-3, 3e-4, 1e-4, 1e-5};
+constexpr double ONE_TOLERANCE = 1e-3;  // the default of render.tolerance
+
+// What says how fine a method is: one of the two, or neither.
+struct Fineness {
+  double step = 0, tolerance = 0;
+};
 
 // As powers of 1/2. Where other knobs are turned: about a cell, and 4 where many samples are to mend a coarse step.
 std::vector<double> steps_of(const MethodRow& row, Steps steps, const KnobLimits& limits) {
@@ -73,6 +82,17 @@ std::vector<int> grids_of(Grids grids, const KnobLimits& limits) {
   return {std::begin(LIGHT_GRIDS), std::end(LIGHT_GRIDS)};
 }
 
+std::vector<Fineness> finenesses_of(const MethodRow& row, Steps steps, const KnobLimits& limits) {
+  std::vector<Fineness> list;
+  if (row.placement == PLACEMENT_PIECES) {
+    if (steps != ALL_STEPS) return {{0, ONE_TOLERANCE}};
+    for (const double tolerance : TOLERANCES) list.push_back({0, tolerance});
+  } else {
+    for (const double step : steps_of(row, steps, limits)) list.push_back({step, 0});
+  }
+  return list;
+}
+
 void sweep_add(const Sweep& sweep, int method, const KnobLimits& limits, int spp, std::set<std::string>& known,
                std::vector<Knobs>& list) {
   const MethodRow row = method_row(method);
@@ -82,9 +102,9 @@ void sweep_add(const Sweep& sweep, int method, const KnobLimits& limits, int spp
   // Of a scene without light grids storage is told by tracing.
   const bool stored = sweep.storage != STORAGE_F32;
   for (const int grid : grids_of(stored && !limits.grids ? TRACED : sweep.grids, limits))
-    for (const double step : steps_of(row, sweep.steps, limits))
+    for (const Fineness& fine : finenesses_of(row, sweep.steps, limits))
       for (const int samples : spps) {
-        const Knobs knobs{method, step, grid, sweep.storage, sweep.rule, samples};
+        const Knobs knobs{method, fine.step, grid, sweep.storage, sweep.rule, samples, fine.tolerance};
         if (known.insert(knobs_id(knobs)).second) list.push_back(knobs);
       }
 }
@@ -99,9 +119,10 @@ std::string knobs_id(const Knobs& knobs) {
   std::string id = knobs_method(knobs);
   if (knobs.method != METHOD_NONE) {
     if (knobs.step > 0) id += "-step" + number_text(knobs.step);
+    if (knobs.tolerance > 0) id += "-tolerance" + number_text(knobs.tolerance);
     id += knobs.light_grid > 0 ? "-grid" + std::to_string(knobs.light_grid) : "-trace";
     id += "-" + std::string(family_name(storage_family(), knobs.storage));
-    id += "-" + std::string(family_name(in_scattering_family(), knobs.rule));
+    if (!(knobs.tolerance > 0)) id += "-" + std::string(family_name(in_scattering_family(), knobs.rule));
   }
   return id + "-spp" + std::to_string(knobs.spp);
 }
@@ -109,10 +130,11 @@ std::string knobs_id(const Knobs& knobs) {
 SceneDesc knobs_apply(const SceneDesc& desc, const Knobs& knobs) {
   SceneDesc set = desc;
   set.film.spp = knobs.spp;
-  for (MediumDesc& medium : set.media) medium.method.reset(), medium.step.reset();
+  for (MediumDesc& medium : set.media) medium.method.reset(), medium.step.reset(), medium.tolerance.reset();
   if (knobs.method == METHOD_NONE) return set;
   set.render.method = knobs.method;
   if (knobs.step > 0) set.render.step = knobs.step;
+  if (knobs.tolerance > 0) set.render.tolerance = knobs.tolerance;
   set.render.shadow = knobs.light_grid > 0 ? SHADOW_GRID : SHADOW_TRACE;
   if (knobs.light_grid > 0) set.render.light_grid = knobs.light_grid;
   set.render.storage = knobs.storage;
@@ -169,6 +191,8 @@ std::vector<double> steps_halving(const KnobLimits& limits, int beyond) {
   for (int k = COARSEST; k <= finest_step(limits) + beyond; ++k) all.push_back(std::exp2(-k));
   return all;
 }
+
+std::vector<double> tolerances_all() { return {std::begin(TOLERANCES), std::end(TOLERANCES)}; }
 
 SceneDesc exact_desc(const SceneDesc& desc, int spp) {
   constexpr double FINE_CONSTANT_STEP = 1.0 / 512;  // for light that changes inside of a constant medium

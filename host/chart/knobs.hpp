@@ -16,6 +16,7 @@ struct Knobs {
   int storage = STORAGE_F32;
   int rule = IN_SCATTERING_SEGMENT;
   int spp = 1;
+  double tolerance = 0;  // of adaptive; 0: it has none
 };
 
 inline constexpr int LIGHT_GRIDS[] = {16, 32, 64, 128};  // cells: those of a sweep
@@ -44,6 +45,9 @@ std::vector<Knobs> knobs_list(const std::vector<int>& methods, const KnobLimits&
 // Steps as shares of a side, each half of the one before, from coarse ones to half a cell of the finest grid (of
 // constant densities: 1/128) and `beyond` halvings further.
 std::vector<double> steps_halving(const KnobLimits& limits, int beyond);
+
+// From coarse to fine.
+std::vector<double> tolerances_all();
 
 // The most exact that there is: no steps where none are needed, light traced from every light, nothing left to chance.
 SceneDesc exact_desc(const SceneDesc& desc, int spp);

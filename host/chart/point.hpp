@@ -19,7 +19,8 @@ struct ChartPoint {
   double build_seconds = 0;  // of its kernels, once
   double lookups = 0;
   double rel_rmse = 0, max_abs = 0, display = 0;  // display: what 99 % of the display values are not further off than
-  bool pareto = false;                            // nothing is both quicker and closer
+  std::optional<double> error_rank;  // rank correlation of the errors that pixels expect with those that they have
+  bool pareto = false;               // nothing is both quicker and closer
 };
 
 // The exact picture and what double-precision pixels say of it.

@@ -24,12 +24,12 @@ namespace {
 
 std::vector<double> pixel_values(const FilmPixel& p) {
   const double n = p.samples;
-  return {p.radiance.x / n, p.radiance.y / n, p.radiance.z / n, p.transmittance.x / n, p.clear / n};
+  return {p.radiance.x / n, p.radiance.y / n, p.radiance.z / n, p.transmittance.x / n, p.clear / n, p.error / n};
 }
 
 std::vector<double> pixel_values(const reference::PixelD& p) {
-  return {p.radiance.x / p.samples, p.radiance.y / p.samples, p.radiance.z / p.samples, p.transmittance.x / p.samples,
-          p.clear / p.samples};
+  return {p.radiance.x / p.samples,      p.radiance.y / p.samples, p.radiance.z / p.samples,
+          p.transmittance.x / p.samples, p.clear / p.samples,      p.error / p.samples};
 }
 
 using PixelMoved = std::function<std::vector<double>(std::size_t pixel, int move)>;

@@ -200,6 +200,28 @@ constexpr SceneText SCENES[] = {
              {"type": "quad", "corner": [-2, -0.8, -2], "u": [0, 0, 4], "v": [4, 0, 0], "material": "mirror"}],
   "media": [{"density": {"type": "perlin", "resolution": [12, 11, 12], "scale": 3}, "sigma_a": 0.2, "sigma_s": 1.5}],
   "render": {"light_samples": 2, "max_depth": 2}})"},
+    {"adaptive_media", R"({
+  "camera": {"eye": [1.4, 1, 3], "target": [0, 0, 0], "vfov": 45}, "background": [0.1, 0.1, 0.1],
+  "lights": [{"type": "directional", "direction": [-1, -1, -0.4], "irradiance": [3, 3, 3]},
+             {"type": "spot", "position": [0.3, 1.8, 1], "direction": [-0.3, -1.6, -0.9], "angle": 20, "intensity": [9, 9, 7]}],
+  "shapes": [{"type": "sphere", "center": [-0.2, 0.4, 0.4], "radius": 0.25}],
+  "media": [{"bounds": [[-1, -0.6, -0.6], [0.3, 0.6, 0.6]], "transform": [{"rotate": [0, 1, 0.3, 20]}],
+             "density": {"type": "perlin", "resolution": [33, 32, 30], "scale": 3, "seed": 5}, "sigma_a": 0.2, "sigma_s": [2, 1, 0.5]},
+            {"bounds": [[-0.2, -0.5, -0.7], [1, 0.7, 0.5]], "density": {"type": "constant"}, "sigma_a": [0.1, 0.3, 0.6], "sigma_s": 0.4},
+            {"bounds": [[-1, -0.9, -0.8], [1, 0, 0.8]], "density": {"type": "exponential", "resolution": [9, 40, 9]}, "sigma_s": 1.5, "method": "march_midpoint"}],
+  "render": {"method": "adaptive", "tolerance": 0.003}})"},
+    {"adaptive_grid", R"({
+  "camera": {"eye": [1.9, 1.1, 2.6], "target": [0, 0, 0], "vfov": 40}, "background": [0.1, 0.1, 0.2],
+  "lights": [{"type": "directional", "direction": [-0.5, -1, -0.3], "irradiance": 3}, {"type": "point", "position": [0.5, 0.9, 0.4]}],
+  "media": [{"transform": [{"scale": [1, 0.5, 1]}, {"rotate": [0, 1, 0.2, 25]}], "sigma_a": 0.3, "sigma_s": 3,
+             "density": {"type": "perlin", "resolution": [40, 21, 38], "scale": 3, "octaves": 2, "seed": 4}}],
+  "render": {"method": "adaptive", "tolerance": 0.01, "shadow": "grid", "light_grid": 12, "storage": "u8"}})"},
+    {"adaptive_chosen", R"({
+  "camera": {"eye": [0.7, 0.9, 3.5], "target": [0, 0, 0], "vfov": 40},
+  "lights": [{"type": "directional", "direction": [-0.5, -1, -0.3], "irradiance": 4}, {"type": "point", "position": [0.2, 1.6, -0.6]}],
+  "media": [{"density": {"type": "sphere", "of": {"type": "perlin", "resolution": [21, 17, 26], "scale": 3, "octaves": 3, "seed": 7}},
+             "interpolation": "nearest", "sigma_a": 0.5, "sigma_s": 9}],
+  "render": {"method": "adaptive", "light_samples": 1, "roulette": 0.3}})"},
     {"empty", R"({"background": [0.25, 0.5, 0.75], "film": {"spp": 5}})"},
 };
 

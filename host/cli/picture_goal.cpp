@@ -20,7 +20,10 @@ std::string metric_name(const RenderDesc& goal) {
 std::string knobs_text(const Knobs& knobs) {
   std::string text = knobs_method(knobs);
   if (knobs.step > 0) text += ", step " + number_text(knobs.step, 3);
-  if (knobs.rule != IN_SCATTERING_SEGMENT) text += ", " + std::string(family_name(in_scattering_family(), knobs.rule));
+  if (knobs.tolerance > 0)
+    text += ", tolerance " + number_text(knobs.tolerance, 3);
+  else if (knobs.rule != IN_SCATTERING_SEGMENT)
+    text += ", " + std::string(family_name(in_scattering_family(), knobs.rule));
   return text + (knobs.light_grid > 0 ? ", light grid " + std::to_string(knobs.light_grid) : ", light traced");
 }
 

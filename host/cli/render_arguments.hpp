@@ -21,7 +21,7 @@ struct RenderArguments {
   std::filesystem::path scene;
   std::vector<std::filesystem::path> outputs;
   std::string size, crop, samples, method, shadow, device, aov, error_metric;
-  std::optional<double> exposure, step, max_error, time_budget;
+  std::optional<double> exposure, step, tolerance, max_error, time_budget;
   std::optional<int> spp, seed, witness;
   int lanes = 0;  // 0: the device's choice
   bool generic = false, quiet = false, strict = false;

@@ -32,6 +32,7 @@ nlohmann::ordered_json media_json(const PlannedScene& flat) {
   nlohmann::ordered_json media = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < flat.walks.size(); ++i) {
     media.push_back({{"place", flat.sizes[i].place}, {"method", method_of(flat.walks[i])}});
+    if (method_has_tolerance(flat.walks[i].method)) media.back()["tolerance"] = flat.walks[i].tolerance;
     if (method_has_step(flat.walks[i].method)) media.back()["step"] = flat.walks[i].step * flat.unit;
   }
   return media;

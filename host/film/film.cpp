@@ -37,6 +37,14 @@ Values variance_of(const FilmPixel& pixel) { return mean(pixel.squares, pixel.sa
 
 Values samples_of(const FilmPixel& pixel) { return {pixel.samples}; }
 
+// Both parts are independent: of the walk in each sample, and of the samples as a set.
+Values error_of(const FilmPixel& pixel) {
+  const double n = pixel.samples;
+  if (!(n > 0)) return {};
+  const double squares = (double(pixel.squares.x) + pixel.squares.y + pixel.squares.z) / 3;
+  return {static_cast<float>(std::sqrt(std::pow(pixel.error / n, 2) + (n > 1 ? squares / (n * (n - 1)) : 0)))};
+}
+
 void packed_add(Packed3& sum, const Packed3& part) {
   sum.x += part.x;
   sum.y += part.y;
@@ -62,7 +70,7 @@ Packed3 squares_merged(const FilmPixel& p, const FilmPixel& q) {
 constexpr float FilmPixel::*SUMS[] = {&FilmPixel::samples,      &FilmPixel::depth,          &FilmPixel::hits,
                                       &FilmPixel::lookups,      &FilmPixel::shadow_rays,    &FilmPixel::secondary_rays,
                                       &FilmPixel::dropped_rays, &FilmPixel::dropped_weight, &FilmPixel::invalid,
-                                      &FilmPixel::clear};
+                                      &FilmPixel::clear,        &FilmPixel::error};
 static_assert(sizeof(FilmPixel) == sizeof(SUMS) / sizeof(*SUMS) * sizeof(float) + 4 * sizeof(Packed3) + sizeof(uint),
               "film_pixel_merge adds every field");
 
@@ -73,9 +81,9 @@ struct AovRow {
   Values (*values)(const FilmPixel&);
 };
 
-constexpr const char* LETTERS[] = {"Z", "XYZ", "RGB", "Y", "RGB", "Y"};
-constexpr Values (*VALUES[])(const FilmPixel&) = {depth_of, normal_of,   transmittance_of,
-                                                  cost_of,  variance_of, samples_of};
+constexpr const char* LETTERS[] = {"Z", "XYZ", "RGB", "Y", "RGB", "Y", "Y"};
+constexpr Values (*VALUES[])(const FilmPixel&) = {depth_of,    normal_of,  transmittance_of, cost_of,
+                                                  variance_of, samples_of, error_of};
 static_assert(std::size(LETTERS) == AOV_COUNT && std::size(VALUES) == AOV_COUNT, "one entry per row of BRUME_AOVS");
 
 const AovRow AOVS[] = {

@@ -29,7 +29,7 @@ struct Field {
 constexpr Field FIELDS[] = {
     VECTOR(radiance), VECTOR(squares), VECTOR(normal),   VECTOR(transmittance), SUM(samples),      SUM(depth),
     SUM(hits),        SUM(lookups),    SUM(shadow_rays), SUM(secondary_rays),   SUM(dropped_rays), SUM(dropped_weight),
-    SUM(invalid),     SUM(clear),
+    SUM(invalid),     SUM(clear),      SUM(error),
 };
 #undef SUM
 #undef VECTOR

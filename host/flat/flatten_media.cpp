@@ -32,7 +32,7 @@ LoadedMedium load_medium(const SceneDesc& desc, const MediumRow& row, LoadedScen
   LoadedMedium loaded{row.desc, false, false, row.only_glows, 0, nullptr, dmat4(1.0)};
   const std::array<dvec3, 2> unit{dvec3(-1), dvec3(1)};
   const dmat4 transform = transform_matrix(m.transform);
-  if (method_resolve(desc, m) == METHOD_HOMOGENEOUS) {
+  if (takes_constant(desc, m)) {
     loaded.is_constant = true;
     loaded.sphere = m.density.type == "sphere";
     loaded.constant = constant_value(m.density);

@@ -95,6 +95,10 @@ int in_scattering_resolve(const SceneDesc& desc) {
   return exact ? IN_SCATTERING_GAUSS2 : IN_SCATTERING_SEGMENT;
 }
 
+bool takes_constant(const SceneDesc& desc, const MediumDesc& m) {
+  return density_is_constant(m.density) && (method_fits(method_resolve(desc, m)) & FITS_CONSTANT);
+}
+
 void media_check(const SceneDesc& desc, const std::vector<MediumRow>& media, std::vector<std::string>& notes) {
   methods_tell(desc, media, notes);
   light_grids_check(desc, media);

@@ -21,6 +21,8 @@ std::vector<MediumRow> media_rows(const SceneDesc& desc);
 int method_resolve(const SceneDesc& desc, const MediumDesc& medium);
 // The rule by which scattered light is summed, never auto: of fourth order where all else is exact, too.
 int in_scattering_resolve(const SceneDesc& desc);
+// Whether its density is taken as one number, without voxels.
+bool takes_constant(const SceneDesc& desc, const MediumDesc& medium);
 // Throws InputError where methods or light grids fit no medium; notes media that take another method than the picture
 // asks for.
 void media_check(const SceneDesc& desc, const std::vector<MediumRow>& media, std::vector<std::string>& notes);

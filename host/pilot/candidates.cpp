@@ -20,6 +20,14 @@ bool has_steps(const SceneDesc& set) {
 }
 
 KnobFamily family_of(const ChartScene& scene, Knobs knobs) {
+  if (method_has_tolerance(knobs.method)) {
+    KnobFamily family;
+    for (const double tolerance : tolerances_all()) {
+      knobs.tolerance = tolerance;
+      family.push_back(knobs);
+    }
+    return family;
+  }
   if (!has_steps(knobs_apply(scene.desc(), knobs))) return {knobs};
   KnobFamily family;
   for (const double step : steps_halving(scene.limits(), STEPS_BEYOND)) {
@@ -37,8 +45,10 @@ std::vector<KnobFamily> knob_families(ChartScene& scene, const std::vector<int>&
   for (const int method : methods) {
     const MethodRow row = method_row(method);
     if (row.draws != DRAWS_NOTHING || row.share != 0.5f) continue;  // whose steps begin where they sample
-    for (const int rule : RULES)
+    for (const int rule : RULES) {
+      if (method_has_tolerance(method) && rule != IN_SCATTERING_SEGMENT) continue;  // it has its own
       families.push_back(family_of(scene, {method, 0, 0, desc.render.storage, rule, desc.film.spp}));
+    }
   }
   std::stable_sort(families.begin(), families.end(), [&](const KnobFamily& a, const KnobFamily& b) {
     return scene.cost(a.front()) < scene.cost(b.front());

@@ -56,7 +56,7 @@ Pilot::Pilot(ChartScene& scene, const std::vector<int>& methods)
     throw InputError(
         desc.file.string() +
         ": /render: for an error or a time a method is needed that draws no random numbers; allowed: auto, "
-        "march_midpoint, dda_midpoint, dda_gauss2, dda_nearest, homogeneous");
+        "adaptive, march_midpoint, dda_midpoint, dda_gauss2, dda_nearest, homogeneous");
   // A first look: which pixels are bright, and what there is to gain.
   SceneDesc look = knobs_apply(desc, families_.front().front());
   look.film.spp = 1;

@@ -18,7 +18,7 @@ constexpr int TILE = 8;
 constexpr glm::ivec2 PROBES[] = {{1, 2}, {5, 1}, {2, 6}, {6, 5}};  // no two in a row or column
 constexpr double ALLOWED = 0.5;  // of the goal: a tile that differs by more is rendered anew
 constexpr int LIGHT_GRID_FINEST = 256;
-constexpr double STEP_FINEST = 1e-4;
+constexpr double STEP_FINEST = 1e-4, TOLERANCE_FINEST = 1e-6;
 
 std::array<double, 3> mean_of(const FilmPixel& p) {
   const double n = std::max(double(p.samples), 1.0);
@@ -65,6 +65,10 @@ std::optional<SceneDesc> settings_finer(const SceneDesc& desc) {
     changed = changed || step > STEP_FINEST;
     step = std::max(step / 2, std::min(step, STEP_FINEST));
   };
+  if (method_has_tolerance(desc.render.method)) {
+    changed = changed || desc.render.tolerance > TOLERANCE_FINEST;
+    finer.render.tolerance = std::max(desc.render.tolerance / 4, std::min(desc.render.tolerance, TOLERANCE_FINEST));
+  }
   if (desc.render.method == METHOD_AUTO || method_has_step(desc.render.method)) halve(finer.render.step);
   for (MediumDesc& medium : finer.media)
     if (medium.step) halve(*medium.step);

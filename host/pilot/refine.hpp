@@ -7,7 +7,7 @@
 
 namespace brume {
 
-// The next finer settings: half the step, twice the cells of light grids, light at two points of each segment. Nothing
+// The next finer settings: half the step, a quarter of the tolerance, twice the cells of light grids, light at two points of each segment. Nothing
 // where there are none.
 std::optional<SceneDesc> settings_finer(const SceneDesc& desc);
 

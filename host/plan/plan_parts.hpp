@@ -17,6 +17,9 @@ int plan_light_picks(const SceneDesc& desc, const FlatScene& scene);
 // Throws InputError where they have more entries than kernels count.
 int light_grids_append(const SceneDesc& desc, const Medium& medium, const FlatScene& scene, RenderPlan& plan);
 
+// What `adaptive` needs to know of a medium, for this tolerance; adds to RenderPlan::piece_rates.
+void adaptive_plan(double tolerance, const FlatScene& scene, std::size_t medium, RenderPlan& plan);
+
 // Throws InputError where the steps of marched media ask for more lookups than can be meant.
 void work_check(const SceneDesc& desc, const FlatScene& scene, const RenderPlan& plan);
 

@@ -34,9 +34,9 @@ bool is_constant(const FlatScene& flat, std::size_t medium) {
 
 MediumWalk walk_plan(const SceneDesc& desc, const MediumDesc& m, const FlatScene& flat, std::size_t medium) {
   const int method = method_resolve(desc, m);
-  if ((method == METHOD_HOMOGENEOUS) != is_constant(flat, medium))
+  if (takes_constant(desc, m) != is_constant(flat, medium))
     throw InputError(desc.file.string() + ": " + m.place + ": the scene was flattened for another kind of method");
-  MediumWalk walk{method, 0, 0, -1};
+  MediumWalk walk{method, 0, 0, -1, 0, 0, 0, 0, 0};
   walk.step = static_cast<float>(m.step.value_or(desc.render.step) * flat.sizes[medium].longest);
   if (!is_constant(flat, medium)) walk.track_sigma = track_sigma_of(flat.media[medium], flat.sizes[medium]);
   return walk;
@@ -49,6 +49,8 @@ void plan_media(const SceneDesc& desc, const FlatScene& flat, RenderPlan& plan) 
     throw InputError(desc.file.string() + ": /media: the scene was flattened with others");
   for (std::size_t i = 0; i < rows.size(); ++i) {
     plan.walks.push_back(walk_plan(desc, *rows[i].desc, flat, i));
+    if (method_has_tolerance(plan.walks.back().method))
+      adaptive_plan(rows[i].desc->tolerance.value_or(desc.render.tolerance), flat, i, plan);
     plan.walks.back().light_grids = light_grids_append(desc, medium_of(flat, plan.walks.back(), i), flat, plan);
     plan.draws |= 1u << method_draws(plan.walks.back().method);
   }

@@ -25,6 +25,7 @@ struct RenderPlan {
   Frame frame{};
   std::vector<MediumWalk> walks;       // one per medium
   unsigned draws = 0;                  // bit DRAWS_x of every method in use
+  std::vector<float> piece_rates;      // of `adaptive`, PIECE_ROW for every stored brick
   std::vector<LightGrid> light_grids;  // of each medium that has them, one per light
   std::int64_t light_entries = 0;      // of all light grids together, per channel of τ
   int storage = STORAGE_F32;

@@ -51,7 +51,7 @@ std::uint64_t scene_hash(const PlannedScene& scene) {
   const auto& [origin, unit, bounds, lights, light_shares, materials, textures, texels, shapes, triangles, bvh_width,
                bvh_nodes, bvh_links, bvh_blocks, bvh_ids, grids, placed, media, sizes, bricks, brick_ranges, voxels,
                color_tau, name, notes] = static_cast<const FlatScene&>(scene);
-  const auto& [frame, walks, draws, light_grids, light_entries, storage, stored, plan_notes] =
+  const auto& [frame, walks, draws, piece_rates, light_grids, light_entries, storage, stored, plan_notes] =
       static_cast<const RenderPlan&>(scene);
   Hash hash;
   hash.add(origin);
@@ -71,6 +71,7 @@ std::uint64_t scene_hash(const PlannedScene& scene) {
   hash.add(bricks);
   hash.add(brick_ranges);
   hash.add(voxels);
+  hash.add(piece_rates);
   hash.add(storage);
   hash.add(light_grids);
   return hash.value();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 
 namespace brume::reference {
 namespace {
@@ -49,6 +50,8 @@ Crossing crossing_of(const Medium& medium, const LightGrid& grid, const Column& 
   return {affine_point(medium.world_from_cell, affine_point(grid.cell_from_grid, dvec3(u, v, k))), moved};
 }
 
+constexpr double TAU_LARGEST = 24;  // that a grid holds
+
 void column_fill(const Context& context, const Medium& medium, std::size_t light, const LightGrid& grid,
                  const Column& column, std::vector<dvec3>& tau) {
   const int step = grid.from_first ? 1 : -1, begin = grid.from_first ? 0 : grid.nk - 1;
@@ -68,6 +71,7 @@ void column_fill(const Context& context, const Medium& medium, std::size_t light
       here = (before ? *before : dvec3(0)) + media_tau(context, {crossing.point, -sample.travel},
                                                        before ? static_cast<double>(grid.column_step) : sample.distance,
                                                        random.child(static_cast<uint>(k)), lookups);
+    here = glm::min(here, TAU_LARGEST);
     before = grid.column_step > 0 && !crossing.moved ? &here : nullptr;
   }
 }

@@ -63,7 +63,7 @@ std::vector<double> cell_crossings(const RayD& ray, double t0, double t1) {
   return crossings;
 }
 
-static_assert(RULE_COUNT == 5 && PLACEMENT_COUNT == 3, "dda_rule, march_visit and segments_visit know all");
+static_assert(RULE_COUNT == 6 && PLACEMENT_COUNT == 4, "dda_rule, march_visit, pieces_visit and segments_visit know");
 static_assert(INTERPOLATION_COUNT == 2, "density_in_cell knows all");
 
 // ∫ρ over a segment within one cell.
@@ -81,6 +81,13 @@ double dda_rule(const PlannedScene& scene, const Medium& medium, const RayD& ray
     default:
       return std::nan("");  // not a rule of cells
   }
+}
+
+double piece_density_length(const PlannedScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment) {
+  const double length = segment.t_end - segment.t_begin, apart = length / (2 * std::sqrt(3.0));
+  return length / 2 *
+         (density_at(scene, medium, ray.at(segment.middle() - apart)) +
+          density_at(scene, medium, ray.at(segment.middle() + apart)));
 }
 
 uint cell_name(const ivec3& cell) {
@@ -124,14 +131,57 @@ void march_visit(const PlannedScene& scene, const Medium& medium, const RayD& ra
   }
 }
 
+const float* piece_row(const PlannedScene& scene, const Medium& medium, int brick) {
+  const int row = medium.piece_rates + PIECE_ROW * brick;
+  return &scene.piece_rates[static_cast<std::size_t>(row)];
+}
+
+// A segment of a brick by two points that look up wherever they lie in it; `number` tells it from others of the brick.
+SegmentD piece_of(const PlannedScene& scene, const Medium& medium, const RayD& ray, double a, double b,
+                  const ivec3& brick, uint number) {
+  SegmentD piece{a, b, cell_at(medium, ray.at((a + b) / 2)), 0, (a + b) / 2, 0};
+  piece.id = cell_name(brick * BRICK_CELLS) ^ number * 0x85EBCA6Bu;
+  piece.density_length = piece_density_length(scene, medium, ray, piece);
+  return piece;
+}
+
+template <class Visit>
+void pieces_visit(const PlannedScene& scene, const Medium& medium, const RayD& ray, const Interval& span, bool to_light,
+                  Visit visit) {
+  const std::vector<double> crossings = cell_crossings(ray, span.t0, span.t1);
+  const auto cell_of = [&](std::size_t i) { return cell_at(medium, ray.at((crossings[i] + crossings[i + 1]) / 2)); };
+  for (std::size_t first = 0, last; first + 1 < crossings.size(); first = last) {
+    const ivec3 brick = cell_of(first) / BRICK_CELLS;
+    for (last = first + 1; last + 1 < crossings.size() && cell_of(last) / BRICK_CELLS == brick;) ++last;
+    const int number = brick_number(scene, medium, cell_of(first));
+    if (number == BRICK_EMPTY) continue;
+    const double rate = piece_row(scene, medium, number)[to_light ? PIECE_LIGHT : 0];
+    if (rate >= PIECE_RATE_CELLS) {
+      for (std::size_t i = first; i < last; ++i) {
+        const ivec3 in = cell_of(i) % BRICK_CELLS;
+        const int name = (in.z * BRICK_SAMPLES + in.y) * BRICK_SAMPLES + in.x;
+        visit(piece_of(scene, medium, ray, crossings[i], crossings[i + 1], brick, static_cast<uint>(name)));
+      }
+      continue;
+    }
+    const double begin = crossings[first], length = crossings[last] - begin;
+    const double count = std::max(1.0, std::ceil(rate * length * glm::length(ray.dir) - 0.75));
+    for (double i = 0; i < count; ++i)
+      visit(piece_of(scene, medium, ray, begin + length * (i / count), begin + length * ((i + 1) / count), brick,
+                     static_cast<uint>(i)));
+  }
+}
+
 // Calls visit(segment) from front to back.
 template <class Visit>
 void segments_visit(const PlannedScene& scene, const Medium& medium, const RayD& world, const Interval& span,
-                    int method, const RandomStream& random, Visit visit) {
+                    int method, const RandomStream& random, bool to_light, Visit visit) {
   if (span.empty()) return;
   const RayD ray = ray_to_cells(medium, world);
-  if (method_placement(method) == PLACEMENT_STEPS)
+  if (method_placement(method) == PLACEMENT_STEPS || medium.is_constant)
     march_visit(scene, medium, ray, span, method, random, visit);
+  else if (method_placement(method) == PLACEMENT_PIECES)
+    pieces_visit(scene, medium, ray, span, to_light, visit);
   else
     dda_visit(scene, medium, ray, span, method, visit);
 }
@@ -197,19 +247,20 @@ std::vector<SegmentD> segments(const PlannedScene& scene, int medium, const RayD
                                const RandomStream& random) {
   std::vector<SegmentD> found;
   const Medium m = medium_of(scene, medium);
-  segments_visit(scene, m, ray, medium_interval(m, ray, t0, t1), method, random,
+  segments_visit(scene, m, ray, medium_interval(m, ray, t0, t1), method, random, false,
                  [&](const SegmentD& s) { found.push_back(s); });
   return found;
 }
 
 double optical_depth(const PlannedScene& scene, int medium, const RayD& ray, double t_max, int method, double* lookups,
-                     const RandomStream& random) {
+                     const RandomStream& random, bool to_light) {
   const Medium m = medium_of(scene, medium);
   const Interval span = medium_interval(m, ray, 0, t_max);
   if (span.empty()) return 0;
-  if (method == METHOD_HOMOGENEOUS) return m.constant_density * (span.t1 - span.t0);
+  if (m.is_constant) return m.constant_density * (span.t1 - span.t0);
+  if (to_light && method == METHOD_ADAPTIVE && m.light_steps) method = METHOD_MARCH_MIDPOINT;
   double depth = 0, count = 0;
-  segments_visit(scene, m, ray, span, method, random, [&](const SegmentD& s) {
+  segments_visit(scene, m, ray, span, method, random, to_light, [&](const SegmentD& s) {
     depth += s.density_length;
     ++count;
   });
@@ -220,6 +271,18 @@ double optical_depth(const PlannedScene& scene, int medium, const RayD& ray, dou
 double density_length_gauss2(const PlannedScene& scene, const Medium& medium, const RayD& world,
                              const SegmentD& segment) {
   return dda_rule(scene, medium, ray_to_cells(medium, world), segment, RULE_GAUSS2);
+}
+
+double density_length_piece(const PlannedScene& scene, const Medium& medium, const RayD& world,
+                            const SegmentD& segment) {
+  return piece_density_length(scene, medium, ray_to_cells(medium, world), segment);
+}
+
+double segment_error_square(const PlannedScene& scene, const Medium& medium, const RayD& world,
+                            const SegmentD& segment) {
+  if (medium.is_constant) return 0;
+  const double cells = (segment.t_end - segment.t_begin) * glm::length(ray_to_cells(medium, world).dir);
+  return piece_row(scene, medium, brick_number(scene, medium, segment.cell))[PIECE_ROUGH] * cells;
 }
 
 int segment_lookups(const Medium& medium, int method) {

@@ -45,12 +45,18 @@ std::vector<SegmentD> segments(const PlannedScene& scene, int medium, const RayD
                                const RandomStream& random = {});
 
 // ∫ρ dt over [0, t_max] by the method, without coefficients. Adds to *lookups, if given, the evaluations of the
-// density.
+// density. to_light: `adaptive` walks rays to lights by rates of their own.
 double optical_depth(const PlannedScene& scene, int medium, const RayD& ray, double t_max, int method,
-                     double* lookups = nullptr, const RandomStream& random = {});
+                     double* lookups = nullptr, const RandomStream& random = {}, bool to_light = false);
 
 // ∫ρ dt by two-point Gauss over any piece of a segment within one cell: its t_begin, t_end and cell count.
 double density_length_gauss2(const PlannedScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment);
+
+// The same by a piece of `adaptive`, wherever its two points lie.
+double density_length_piece(const PlannedScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment);
+
+// What ∫ρ over a segment of `adaptive` errs by, as the plan has measured it in the brick: the mean square.
+double segment_error_square(const PlannedScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment);
 
 // Evaluations of the density that one segment of the method costs: 0 in a constant medium.
 int segment_lookups(const Medium& medium, int method);

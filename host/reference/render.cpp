@@ -69,6 +69,7 @@ void pixel_add(PixelD& sum, const PixelD& sample) {
   sum.dropped_rays += sample.dropped_rays;
   sum.dropped_weight += sample.dropped_weight;
   sum.key += sample.key;
+  sum.error += sample.error;
 }
 
 Packed3 pack(const dvec3& v) { return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)}; }
@@ -88,6 +89,7 @@ FilmPixel film_pixel(const PixelD& p) {
   pixel.dropped_weight = static_cast<float>(p.dropped_weight);
   pixel.invalid = static_cast<float>(p.invalid);
   pixel.clear = static_cast<float>(p.clear);
+  pixel.error = static_cast<float>(p.error);
   return pixel;
 }
 
@@ -99,6 +101,13 @@ struct PathState {
   float heirs = INFINITY;
   dvec3 weight{1};
 };
+
+double mean_of(const dvec3& v) { return (v.x + v.y + v.z) / 3; }
+
+// What `adaptive` expects a ray of this weight to be off by; `seen`: what lies behind the media, through them.
+double error_of(const Scattered& media, const dvec3& seen, const dvec3& weight) {
+  return mean_of(weight) * (media.error + mean_of(seen) * media.tau_error);
+}
 
 PixelD path_render(const Context& context, const RayD& ray, const PathState& path);
 
@@ -117,6 +126,7 @@ void path_add(const Context& context, const SurfaceD& surface, const dvec3& dir,
   ++path.depth;
   const PixelD further = path_render(context, {surface_leave(surface, unit), unit}, path);
   sample.radiance += factor * further.radiance;
+  sample.error += further.error;
   sample.lookups += further.lookups;
   sample.dropped_rays += further.dropped_rays;
   sample.dropped_weight += further.dropped_weight;
@@ -162,7 +172,9 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
   if (hit.primitive == PRIMITIVE_NONE) {
     sample.clear = (sample.transmittance.x + sample.transmittance.y + sample.transmittance.z) / 3;
     const bool hidden = scene.frame.hides_background && path.depth == 0;
-    sample.radiance = media.radiance + (hidden ? dvec3(0) : sample.transmittance * vec_promote(scene.frame.background));
+    const dvec3 seen = hidden ? dvec3(0) : sample.transmittance * vec_promote(scene.frame.background);
+    sample.radiance = media.radiance + seen;
+    sample.error = error_of(media, seen, path.weight);
     sample.key = sample_key(hit.primitive, 0, walked(context, media.shadow_key, sample.lookups), 0) *
                  static_cast<uint>(2 * path.depth + 1);
     return sample;
@@ -173,6 +185,7 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
   sample.depth = hit.t;
   sample.hits = 1;
   sample.radiance = media.radiance + sample.transmittance * lit.radiance;
+  sample.error = error_of(media, sample.transmittance * lit.radiance, path.weight);
   sample.key =
       sample_key(hit.primitive, lit.lights, walked(context, media.shadow_key, sample.lookups), surface.second) *
       static_cast<uint>(2 * path.depth + 1);

@@ -12,7 +12,8 @@ namespace brume::reference {
 // The sums of FilmPixel before they become float.
 struct PixelD {
   dvec3 radiance{0}, squares{0}, normal{0}, transmittance{0};
-  double samples = 0, depth = 0, hits = 0, lookups = 0, dropped_rays = 0, dropped_weight = 0, invalid = 0, clear = 0;
+  double samples = 0, depth = 0, hits = 0, lookups = 0, dropped_rays = 0, dropped_weight = 0, invalid = 0, clear = 0,
+         error = 0;
   uint key = 0;
 };
 

@@ -59,8 +59,9 @@ dvec3 media_tau_beside(const Context& context, int medium, const RayD& ray, doub
     const Medium& m = context.media[static_cast<std::size_t>(other)];
     const RandomStream walk = random.child(static_cast<uint>(other));
     const int method = context.method(m);
-    tau += method_tracks(method) ? tau_of(tracked_transmittance(context, other, ray, t, walk, lookups))
-                                 : sigma_t_of(m) * optical_depth(context.scene, other, ray, t, method, &lookups, walk);
+    tau += method_tracks(method)
+               ? tau_of(tracked_transmittance(context, other, ray, t, walk, lookups))
+               : sigma_t_of(m) * optical_depth(context.scene, other, ray, t, method, &lookups, walk, true);
   }
   return tau;
 }

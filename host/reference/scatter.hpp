@@ -65,6 +65,7 @@ struct Scattered {
   dvec3 tau{0};         // of all media up to t_max
   uint shadow_key = 0;  // by the segment rule only; 0 in exact pictures, which have no such samples
   double lookups = 0;
+  double error = 0, tau_error = 0;  // estimates of `adaptive`: of the radiance, mean of the channels, and of tau
 };
 Scattered media_scatter(const Context& context, const RayD& ray, double t_max, const RandomStream& random);
 

@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 
 #include "reference/lit_steps.hpp"
+#include "reference/runs.hpp"
 #include "reference/scatter_light.hpp"
 #include "reference/tracking.hpp"
 #include "shared/method.h"
@@ -79,6 +80,15 @@ struct SegmentWalk {
   Others others;
   std::vector<DepthAlong> depths;  // of the other media, where none is tracked
   Scattered& result;
+  std::vector<RunPoint> run{};                         // of `adaptive`, while its light is traced
+  double seen = 0;                                     // light before it
+  double squares = 0, seen_squares = 0, all_gain = 0;  // of what its pieces err by, also as it is seen; ∫ρT
+
+  bool adapts() const { return method == METHOD_ADAPTIVE; }
+  bool runs() const {
+    return adapts() && medium.light_grids < 0 && vec_promote(medium.sigma_s) != dvec3(0) &&
+           context.scene.frame.light_picks == static_cast<int>(context.scene.lights.size());
+  }
 
   // τ of the other media up to where light is asked for, and along the segment.
   std::pair<dvec3, dvec3> beside(const SegmentD& segment) {
@@ -96,8 +106,26 @@ struct SegmentWalk {
     if (rule == IN_SCATTERING_RECTANGLE) return 1;
     const dvec3 along = takes_ends ? beside(segment).second : dvec3(0);
     const double depth = largest(sigma_t * segment.density_length + along);
-    const double parts_per_depth = rule == IN_SCATTERING_GAUSS2 ? 4 : 8;
-    return std::clamp(std::ceil(depth * parts_per_depth - 1.0 / 1024), 1.0, 256.0);
+    double parts = rule == IN_SCATTERING_GAUSS2 ? 4 * depth : 8 * depth;
+    if (adapts()) parts = depth / double(medium.tau_part);
+    if (rule == IN_SCATTERING_GAUSS2) parts = std::max(parts, light_parts(segment));
+    return std::clamp(std::ceil(parts - 1.0 / 1024), 1.0, 256.0);
+  }
+
+  // So many that none is longer than a quarter of its way to a lamp.
+  double light_parts(const SegmentD& segment) const {
+    const PlannedScene& scene = context.scene;
+    double parts = 0;
+    if (medium.is_constant || vec_promote(medium.sigma_s) == dvec3(0)) return parts;
+    if (scene.frame.light_picks < static_cast<int>(scene.lights.size())) return parts;
+    for (const Light& light : scene.lights) {
+      if (light.type == LIGHT_DIRECTIONAL || light.exponent != 0) continue;
+      const dvec3 position = vec_promote(light.position);
+      const double nearest = std::clamp(glm::dot(position - ray.origin, ray.dir), segment.t_begin, segment.t_end);
+      const double distance = std::max(glm::length(ray.at(nearest) - position), 1e-15);
+      parts = std::max(parts, 4 * (segment.t_end - segment.t_begin) / distance);
+    }
+    return parts;
   }
 
   // Of ∫ρ over a segment within a cell, what its second point of two stands for.
@@ -105,7 +133,8 @@ struct SegmentWalk {
     const RayD in_cells = ray_to_cells(medium, ray);
     const auto density = [&](double share) {
       const double t = segment.t_begin + share * (segment.t_end - segment.t_begin);
-      return density_in_cell(context.scene, medium, segment.cell, in_cells.at(t));
+      return adapts() ? density_at(context.scene, medium, in_cells.at(t))
+                      : density_in_cell(context.scene, medium, segment.cell, in_cells.at(t));
     };
     const double first = density(FIRST_POINT), second = density(1 - FIRST_POINT);
     return first + second > 0 ? second / (first + second) : 0.5;
@@ -119,14 +148,15 @@ struct SegmentWalk {
     part.sample = part.t_begin + (whole.sample - whole.t_begin) / count;
     part.density_length = whole.density_length / count;
     part.id = whole.id + static_cast<uint>(i) * 0x9E3779B1u;
-    if (method_rule(method) != RULE_GAUSS2) return part;
-    part.density_length = density_length_gauss2(context.scene, medium, ray, part);
+    if (method_rule(method) != RULE_GAUSS2 && !adapts()) return part;
+    part.density_length = (adapts() ? density_length_piece : density_length_gauss2)(context.scene, medium, ray, part);
     result.lookups += segment_lookups(medium, method);
     return part;
   }
 
   // The depth from which on a segment is dense.
   double dense_from() const {
+    if (adapts()) return 3.0 / 2;
     if (rule == IN_SCATTERING_SEGMENT) return medium.is_constant ? 1.0 / 512 : 1.0 / 16;
     return rule == IN_SCATTERING_GAUSS2 ? 1.0 / 2 : INFINITY;
   }
@@ -140,10 +170,20 @@ struct SegmentWalk {
                dense, segment.t_begin, segment.t_end, depth};
     at.two_points = rule == IN_SCATTERING_GAUSS2;
     at.bends = takes_ends;
-    if (method_rule(method) == RULE_GAUSS2) at.second = second_share(segment);
+    if (method_rule(method) == RULE_GAUSS2 || adapts()) at.second = second_share(segment);
     dvec3 gain;
-    for (int c = 0; c < 3; ++c) gain[c] = gain_of(rule, segment.density_length, before[c], depth[c]);
-    result.radiance += sent_from(context, at, ray, result) * gain;
+    for (int c = 0; c < 3; ++c)
+      gain[c] = adapts() && before[c] > medium.tau_lit ? 0 : gain_of(rule, segment.density_length, before[c], depth[c]);
+    if (adapts()) {
+      const double square = segment_error_square(context.scene, medium, ray, segment);
+      squares += square;
+      seen_squares += square * std::pow(gain.y / segment.density_length, 2);
+      all_gain += gain.y;
+    }
+    if (runs() && !dense)
+      run_take(at, gain);
+    else
+      result.radiance += sent_from(context, at, ray, result) * gain;
     own_tau += sigma_t * segment.density_length;
     if (!(context.scene.frame.roulette > 0)) return true;
     dvec3 transmittance = transmittance_of(own_tau);
@@ -152,8 +192,24 @@ struct SegmentWalk {
     return goes_on;
   }
 
-  void run(double t_max) {
-    const bool lit_steps = rule == IN_SCATTERING_GAUSS2 && method_rule(method) == RULE_PRODUCT;
+  // The two points of a segment.
+  void run_take(const Segment& at, const dvec3& gain) {
+    result.radiance += vec_promote(medium.emission) * gain;
+    const dvec3 behind = at.second * transmittance_of(at.depth / std::sqrt(3.0)),
+                share = behind / (1 - at.second + behind);
+    const double length = at.end - at.begin;
+    run.push_back({at.begin + FIRST_POINT * length, gain * (1.0 - share), at.random});
+    run.push_back({at.begin + (1 - FIRST_POINT) * length, gain * share, at.random});
+    if (run.size() == RUN_POINTS) run_shine();
+  }
+
+  void run_shine() {
+    result.radiance += run_radiance(context, index, ray, run, seen, result);
+    run.clear();
+  }
+
+  void walk_all(double t_max) {
+    const bool lit_steps = rule == IN_SCATTERING_GAUSS2 && medium.is_constant;
     for (const SegmentD& segment : lit_steps ? lit_segments(context, index, ray, t_max)
                                              : segments(context.scene, index, ray, 0, t_max, method, walk)) {
       result.lookups += segment_lookups(medium, method);
@@ -172,24 +228,31 @@ struct SegmentWalk {
 void medium_segments(const Context& context, int index, const RayD& ray, double t_max, const RandomStream& random,
                      Scattered& result) {
   const Medium& medium = context.media[static_cast<std::size_t>(index)];
-  SegmentWalk scattering{context,
-                         medium,
-                         index,
-                         context.method(medium),
-                         context.scene.frame.in_scattering,
-                         ray,
-                         random.child(static_cast<uint>(index)),
-                         context.scene.frame.takes_ends != 0,
-                         sigma_t_of(medium),
-                         dvec3(0),
-                         {context, index, ray},
-                         {},
-                         result};
+  SegmentWalk scattering{
+      context,
+      medium,
+      index,
+      context.method(medium),
+      context.method(medium) == METHOD_ADAPTIVE ? int(IN_SCATTERING_GAUSS2) : context.scene.frame.in_scattering,
+      ray,
+      random.child(static_cast<uint>(index)),
+      context.scene.frame.takes_ends != 0,
+      sigma_t_of(medium),
+      dvec3(0),
+      {context, index, ray},
+      {},
+      result};
   for (int other = 0; scattering.takes_ends && other < static_cast<int>(context.media.size()); ++other)
     if (other != index)
       scattering.depths.emplace_back(context, other, ray, t_max, random.child(static_cast<uint>(other)),
                                      result.lookups);
-  scattering.run(t_max);
+  const auto sum = [&] { return result.radiance.x + result.radiance.y + result.radiance.z; };
+  const double before = scattering.seen = sum();
+  scattering.walk_all(t_max);
+  scattering.run_shine();
+  if (scattering.all_gain > 0)
+    result.error += std::abs(sum() - before) / 3 * std::sqrt(scattering.seen_squares) / scattering.all_gain;
+  result.tau_error = std::hypot(result.tau_error, largest(scattering.sigma_t) * std::sqrt(scattering.squares));
   result.tau += scattering.own_tau;
 }
 

@@ -18,6 +18,16 @@ unsigned bits_used(const Items& items, Key key) {
 
 constexpr unsigned all_bits(int count) { return (1u << count) - 1; }
 
+// What BRUME_MEDIA says of several media.
+unsigned media_option(const std::vector<MediumWalk>& walks) {
+  const auto walked = std::count_if(walks.begin(), walks.end(),
+                                    [](const MediumWalk& walk) { return method_rule(walk.method) != RULE_PRODUCT; });
+  const bool adapts =
+      std::any_of(walks.begin(), walks.end(), [](const MediumWalk& walk) { return method_has_tolerance(walk.method); });
+  if (walks.size() < 2) return static_cast<unsigned>(walks.size());
+  return walked < 2 || adapts ? 2 : walks.size() <= MEDIA_TOGETHER ? 3 : 4;
+}
+
 }  // namespace
 
 std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderPlan& plan) {
@@ -26,9 +36,11 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
   const unsigned phases = bits_used(s.media, [](const MediumBody& m) { return m.phase; });
   const unsigned shapes = bits_used(s.shapes, [](const Shape& shape) { return shape.type; });
   const unsigned lights = bits_used(s.lights, [](const Light& l) { return l.type; });
-  const unsigned rules = s.media.empty() ? 0u : 1u << plan.frame.in_scattering;
+  unsigned rules = 0;
+  for (const MediumWalk& w : plan.walks)
+    rules |= 1u << (method_has_tolerance(w.method) ? IN_SCATTERING_GAUSS2 : plan.frame.in_scattering);
   return {
-      {"MEDIA", static_cast<unsigned>(std::min<std::size_t>(s.media.size(), 2)), 2, "media"},
+      {"MEDIA", media_option(plan.walks), 4, "media"},
       {"COLOR_TAU", static_cast<unsigned>(s.color_tau), 1, "an optical depth for each channel"},
       {"METHODS_USED", methods, all_bits(METHOD_COUNT), "methods"},
       {"JITTER", (plan.draws >> DRAWS_PLACES) & 1u, 1, "random places in steps"},

@@ -115,6 +115,7 @@ MediumDesc read_medium(const JsonValue& medium, const std::filesystem::path& fol
   if (medium.has("phase")) read_phase(medium.get("phase"), m);
   if (medium.has("method")) m.method = read_method(medium, METHOD_AUTO);
   if (medium.has("step")) m.step = read_step(medium, 1);
+  if (medium.has("tolerance")) m.tolerance = read_tolerance(medium, 1);
   medium.refuse_unread();
   return m;
 }

@@ -11,9 +11,10 @@ std::vector<ShapeDesc> read_shapes(const JsonValue& scene, const std::vector<Mat
 std::vector<MediumDesc> read_media(const JsonValue& scene, const std::filesystem::path& folder);
 std::vector<LightDesc> read_lights(const JsonValue& scene);
 TransformDesc read_transform(const JsonValue& owner);
-// The keys "method" and "step" of `owner`, of the whole picture or of one medium.
+// The keys "method", "step" and "tolerance" of `owner`, of the whole picture or of one medium.
 int read_method(const JsonValue& owner, int fallback);
 double read_step(const JsonValue& owner, double fallback);
+double read_tolerance(const JsonValue& owner, double fallback);
 
 // Of what is seen as it is; more of it than this could not be summed over the samples of a pixel (SAMPLE_MAX).
 inline constexpr double RADIANCE_MAX = 3e32;

@@ -141,9 +141,10 @@ struct MediumDesc {
   dvec3 sigma_a{0}, sigma_s{0}, emission{0};
   int phase = PHASE_ISOTROPIC;
   double g = 0;
-  std::optional<int> method;   // instead of render.method, METHOD_AUTO too
-  std::optional<double> step;  // instead of render.step
-  std::string place;           // JSON pointer, for messages of later stages
+  std::optional<int> method;        // instead of render.method, METHOD_AUTO too
+  std::optional<double> step;       // instead of render.step
+  std::optional<double> tolerance;  // instead of render.tolerance
+  std::string place;                // JSON pointer, for messages of later stages
 };
 
 inline constexpr int METHOD_AUTO = -1;
@@ -165,7 +166,8 @@ enum ErrorMetric {
 
 struct RenderDesc {
   int method = METHOD_AUTO;
-  double step = 0.05;  // share of the medium's longest side
+  double step = 0.05;       // share of the medium's longest side
+  double tolerance = 1e-3;  // of adaptive: how far off a pixel may be, as a share of its light
   int in_scattering = IN_SCATTERING_AUTO;
   int shadow = SHADOW_AUTO;
   int storage = STORAGE_F32;

@@ -61,6 +61,7 @@ RenderDesc read_render(const JsonValue& scene) {
   const JsonValue render = scene.get("render");
   r.method = read_method(render, r.method);
   r.step = read_step(render, r.step);
+  r.tolerance = read_tolerance(render, r.tolerance);
   Family shadows = shadow_family();
   shadows.insert(shadows.begin(), {SHADOW_AUTO, "auto", "trace, which is exact"});
   Family rules = in_scattering_family();
@@ -123,6 +124,11 @@ double read_step(const JsonValue& owner, double fallback) {
                 "%g makes %g steps along the longest side of a medium; at most %g are allowed, steps of %g", step,
                 1 / step, STEPS_MAX, 1 / STEPS_MAX);
   owner.get("step").fail(cause);
+}
+
+double read_tolerance(const JsonValue& owner, double fallback) {
+  constexpr double TOLERANCE_LEAST = 1e-7;  // what single precision leaves
+  return owner.number("tolerance", fallback, Range::closed(TOLERANCE_LEAST, 1));
 }
 
 bool is_zero(const dvec3& v) { return !(glm::length(v) >= std::numeric_limits<float>::min()); }

@@ -150,6 +150,7 @@ Json auto_or_name(const Family& family, int id) { return id == METHOD_AUTO ? "au
 Json render_json(const RenderDesc& r) {
   Json json{{"method", auto_or_name(method_family(), r.method)},
             {"step", number(r.step)},
+            {"tolerance", number(r.tolerance)},
             {"in_scattering", auto_or_name(in_scattering_family(), r.in_scattering)},
             {"shadow", auto_or_name(shadow_family(), r.shadow)},
             {"light_grid", r.light_grid},
@@ -178,6 +179,7 @@ Json medium_json(const MediumDesc& m, const Folder& folder) {
   if (phase_takes_g(m.phase)) json["phase"]["g"] = number(m.g);
   if (m.method) json["method"] = auto_or_name(method_family(), *m.method);
   if (m.step) json["step"] = number(*m.step);
+  if (m.tolerance) json["tolerance"] = number(*m.tolerance);
   return json;
 }
 

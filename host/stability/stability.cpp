@@ -46,17 +46,20 @@ void StabilityRays::through(const dvec3& point, const dvec3& dir, double back) {
 
 bool StabilityRun::tracks() const { return method_tracks(method_); }
 bool StabilityRun::steps() const { return method_has_step(method_) && method_ != METHOD_HOMOGENEOUS; }
-bool StabilityRun::exact() const { return !tracks() && !steps() && method_ != METHOD_DDA_MIDPOINT; }
+bool StabilityRun::exact() const { return !tracks() && !steps() && method_exact_for(method_) != 0; }
 
 PlannedScene StabilityRun::cube(const std::string& density, const std::string& medium,
                                 const std::string& render) const {
   const std::string interpolation = method_fits(method_) & FITS_TRILINEAR ? "trilinear" : "nearest";
+  // what fits constant densities takes none as voxels
+  const std::string even =
+      method_fits(method_) & FITS_CONSTANT && method_ != METHOD_HOMOGENEOUS ? "linear" : "constant";
   const std::string text =
       R"({"film": {"size": [4, 4]}, "background": [0.1, 0.1, 0.1],
       "lights": [{"type": "directional", "direction": [-0.3, -0.4, -1], "irradiance": [3, 2, 1]}],
       "media": [{"interpolation": ")" +
       interpolation + R"(", "density": )" +
-      (density.empty() ? R"({"type": "constant", "resolution": [8, 8, 8]})" : density) +
+      (density.empty() ? R"({"type": ")" + even + R"(", "resolution": [8, 8, 8]})" : density) +
       R"(, "sigma_a": 0.3, "sigma_s": 0.9)" + (medium.empty() ? "" : ", " + medium) + R"(}],
       "render": {"method": ")" +
       std::string(family_name(method_family(), method_)) + "\"" + (render.empty() ? "" : ", " + render) + "}}";

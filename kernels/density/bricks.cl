@@ -19,10 +19,13 @@ static inline int brick_entry(const Scene* scene, const Medium* medium, int x, i
   return scene->bricks[scene->bricks[brick_block_at(medium, x, y, z)] + brick_in_block(x, y, z)];
 }
 
-// The same of W bricks.
-static inline intW brick_entries(const Scene* scene, const Medium* medium, intW x, intW y, intW z) {
-  const intW block = lanes_gather_int(scene->bricks, brick_block_at(medium, x, y, z));
+// The same of W bricks, whose blocks' entries begin at `block`.
+static inline intW brick_entries_in(const Scene* scene, intW block, intW x, intW y, intW z) {
   return lanes_gather_int(scene->bricks, block + brick_in_block(x, y, z));
+}
+
+static inline intW brick_entries(const Scene* scene, const Medium* medium, intW x, intW y, intW z) {
+  return brick_entries_in(scene, lanes_gather_int(scene->bricks, brick_block_at(medium, x, y, z)), x, y, z);
 }
 
 // The same of W bricks in their order along a ray: where the first and the last lie in one block, all do.
@@ -30,7 +33,7 @@ static inline intW brick_entries_along(const Scene* scene, const Medium* medium,
   const intW at = brick_block_at(medium, x, y, z);
   const intW block =
       lanes_first(at) == lanes_last(at) ? (intW)(scene->bricks[lanes_first(at)]) : lanes_gather_int(scene->bricks, at);
-  return lanes_gather_int(scene->bricks, block + brick_in_block(x, y, z));
+  return brick_entries_in(scene, block, x, y, z);
 }
 
 // Where the sample of cell (0, 0, 0) would lie if the brick reached there: cell (x, y, z) is at this +
@@ -55,5 +58,18 @@ static inline void brick_scales(const Scene* scene, intW number, float* zero, fl
   }
 }
 #endif
+
+// Density of W values as they are stored in these bricks.
+static inline floatW brick_density(const Scene* scene, intW number, floatW stored) {
+#if BRUME_STORAGE == 2
+  float zero[W], part[W];
+  brick_scales(scene, number, zero, part);
+  return mad_exact(stored, lanes_load(part), lanes_load(zero));
+#else
+  (void)scene;
+  (void)number;
+  return stored;
+#endif
+}
 
 #endif

@@ -79,6 +79,13 @@ static inline Dda dda_begin(const Medium* medium, const MediumRay* ray, float s)
 static inline float dda_brick_exit(const Dda* d) {
   return fmin_ordered(fmin_ordered(d->x.brick_exit, d->y.brick_exit), d->z.brick_exit);
 }
+// Where the ray enters the current brick, or 0 where it begins inside.
+static inline float axis_brick_enter(const DdaAxis* a) {
+  return a->step == 0.0f ? 0.0f : axis_crossing(a, (a->brick + 1.0f - a->ahead) * BRICK_CELLS);
+}
+static inline float dda_brick_enter(const Dda* d) {
+  return fmax(fmax(axis_brick_enter(&d->x), axis_brick_enter(&d->y)), fmax(axis_brick_enter(&d->z), 0.0f));
+}
 static inline float dda_cell_exit(const Dda* d) {
   return fmin_ordered(fmin_ordered(d->x.cell_exit, d->y.cell_exit), d->z.cell_exit);
 }

@@ -27,13 +27,7 @@ static inline floatW density_at(const Scene* scene, const Medium* medium, floatW
   l.fx = x - lanes_to_float(ix);
   l.fy = y - lanes_to_float(iy);
   l.fz = z - lanes_to_float(iz);
-  floatW density = lookup_value(medium, scene->voxels, &l);
-#if BRUME_STORAGE == 2
-  float zero[W], part[W];
-  brick_scales(scene, number, zero, part);
-  density = mad_exact(density, lanes_load(part), lanes_load(zero));
-#endif
-  return lanes_select((floatW)(0.0f), density, used);
+  return lanes_select((floatW)(0.0f), brick_density(scene, number, lookup_value(medium, scene->voxels, &l)), used);
 }
 
 #endif

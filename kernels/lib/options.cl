@@ -21,8 +21,10 @@
 #define BRUME_OUTLINE 0
 #endif
 
-#ifndef BRUME_MEDIA  // 0: no medium code; 1: exactly one medium; 2: any number
-#define BRUME_MEDIA 2
+// 0: no medium code; 1: one medium; 2: several, of which at most one is not constant; 3: up to MEDIA_TOGETHER; 4: any
+// number
+#ifndef BRUME_MEDIA
+#define BRUME_MEDIA 4
 #endif
 #ifndef BRUME_STORAGE  // 0: voxels are floats; 1: halfs; 2: bytes between the bounds of their brick
 #define BRUME_STORAGE 0

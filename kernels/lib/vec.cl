@@ -25,6 +25,7 @@ static inline float azimuth(float y, float x) {
 #endif
 }
 static inline float vec_max_abs(float3 v) { return fmax(fmax(fabs(v.x), fabs(v.y)), fabs(v.z)); }
+static inline float vec_mean(float3 v) { return (v.x + v.y + v.z) * (1.0f / 3.0f); }
 static inline float vec_max(float3 v) { return fmax(fmax(v.x, v.y), v.z); }
 static inline float vec_min(float3 v) { return fmin(fmin(v.x, v.y), v.z); }
 // v with a largest component of 1, of a v so short or long that float does not hold its square.
@@ -42,6 +43,17 @@ static inline float3 affine_dir(const Affine* a, float3 d) {
   return (float3)(mad_exact(a->m[0], d.x, mad_exact(a->m[1], d.y, a->m[2] * d.z)),
                   mad_exact(a->m[4], d.x, mad_exact(a->m[5], d.y, a->m[6] * d.z)),
                   mad_exact(a->m[8], d.x, mad_exact(a->m[9], d.y, a->m[10] * d.z)));
+}
+
+// A sum of many terms that are small beside it, as exact as one of a few [Kahan65].
+typedef struct {
+  float3 sum, lost;
+} LongSum;
+
+static inline void long_sum_add(LongSum* s, float3 value) {
+  const float3 term = value - s->lost, sum = s->sum + term;
+  s->lost = (sum - s->sum) - term;
+  s->sum = sum;
 }
 
 #endif

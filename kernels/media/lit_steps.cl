@@ -87,8 +87,6 @@ static inline float light_apart(const Stretch* stretch, const Light* light, floa
   return apart;
 }
 
-#define LIGHTS_ALL(scene) ((scene)->frame->light_picks == (scene)->frame->light_count)
-
 static inline LitSteps lit_steps_begin(const Scene* scene, const Stretch* stretch, int m) {
   LitSteps k;
   k.count = 0;

@@ -4,11 +4,11 @@
 #define BRUME_MEDIA_OTHERS_CL
 #include "media/tau.cl"
 
-#if BRUME_MEDIA == 2
+#if BRUME_MEDIA >= 2
 
 // The share of ∫ρ in each of W segments up to u of its length, times ∫ρ: u (c[0] + u (c[1] + u (c[2] + u c[3]))).
 typedef struct {
-  float begin[W], inv_size[W];  // s; 0 for a lane without length
+  float begin[W], end[W], inv_size[W];  // s; the last 0 for a lane without length
   float c[4][W];
 } Growth;
 
@@ -24,6 +24,7 @@ static inline Growth growth_of(const Scene* scene, const Medium* medium, const M
   else
     c[0] = walk_integral(scene, medium, ray, at);
   lanes_store(lanes_load(at->begin), g.begin);
+  lanes_store(lanes_load(at->begin) + size, g.end);
   lanes_store(lanes_select((floatW)(0.0f), 1.0f / size, size > 0.0f), g.inv_size);
   for (int k = 0; k < 4; ++k) lanes_store(c[k], g.c[k]);
   return g;
@@ -35,6 +36,17 @@ static inline floatW growth_at(const Growth* g, int i, floatW s) {
   floatW v = mad_exact(u, (floatW)(g->c[3][i]), (floatW)(g->c[2][i]));
   v = mad_exact(u, v, (floatW)(g->c[1][i]));
   return u * mad_exact(u, v, (floatW)(g->c[0][i]));
+}
+
+static inline float growth_whole(const Growth* g, int i) {
+  return GROWS_AS_CUBIC ? g->c[0][i] + (g->c[1][i] + g->c[2][i] + g->c[3][i]) : g->c[0][i];
+}
+
+// ∫ρ over each of the segments.
+static inline floatW growth_integral(const Growth* g) {
+  floatW sum = lanes_load(g->c[0]);
+  if (GROWS_AS_CUBIC) sum += (lanes_load(g->c[1]) + lanes_load(g->c[2])) + lanes_load(g->c[3]);
+  return sum;
 }
 
 // ∫ρ of a medium beside W segments.
@@ -53,7 +65,8 @@ static inline Beside beside_constant(const Medium* medium, float from, float unt
 // Of a medium over [from, until] of its own s, in which the segments begin and end; what is behind is left out.
 OUTLINED Beside beside_walk(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random, float from,
                             float until, floatW begin, floatW end, uint* lookups) {
-  const int whole = WALKED_IS(medium, STEPS) || RULE_IS(medium, MIDPOINT);  // segments may begin before `from`
+  const int whole = WALKED_IS(medium, STEPS) || WALKED_IS(medium, PIECES) ||
+                    RULE_IS(medium, MIDPOINT);  // segments may begin before `from`
   Beside out = {(floatW)(0.0f), (floatW)(0.0f)};
   Walk walk = walk_within(medium, ray, random, from, until);
   Segments at;
@@ -81,7 +94,7 @@ static inline Beside beside_of(const Scene* scene, const Medium* medium, const M
   const float first = fmax(from + shift, 0.0f), last = fmin(until + shift, ray->length);
   Beside none = {(floatW)(0.0f), (floatW)(0.0f)};
   if (!(last > first)) return none;
-  if (RULE_IS(medium, PRODUCT)) return beside_constant(medium, first, last, begin + shift, end + shift);
+  if (IS_PRODUCT(medium)) return beside_constant(medium, first, last, begin + shift, end + shift);
   return beside_walk(scene, medium, ray, random, first, last, begin + shift, end + shift, lookups);
 }
 

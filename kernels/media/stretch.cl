@@ -2,6 +2,7 @@
 // cut.
 #ifndef BRUME_MEDIA_STRETCH_CL
 #define BRUME_MEDIA_STRETCH_CL
+#include "lights/lights.cl"
 #include "media/others.cl"
 
 // Collisions estimate exp(-τ) without bias, but nothing else of τ: scenes with trackers take light and the other media
@@ -14,18 +15,28 @@
 #define TAU_THIN (1.0f / 16.0f)
 #define TAU_THIN_CONSTANT (1.0f / 512.0f)  // of a constant medium, through which a depth is one product
 #define TAU_PART (1.0f / 8.0f)
-#define TAU_PART_GAUSS2 (1.0f / 4.0f)  // of more with light at two points of each
-#define TAU_ENDS_GAUSS2 (1.0f / 2.0f)  // parts that are denser still have the points at their ends
+#define TAU_PART_GAUSS2 (1.0f / 4.0f)    // of more with light at two points of each
+#define TAU_ENDS_GAUSS2 (1.0f / 2.0f)    // parts that are denser still have the points at their ends
+#define TAU_ENDS_ADAPTIVE (3.0f / 2.0f)  // the same of `adaptive`, whose parts may be up to 1
 #define PARTS_SLACK 0x1p-10f
 // Ends are taken this share of the segment further in: on a face of a medium, light along that face would be in or out
 // by rounding.
 #define END_INSET 0x1p-14f
 #define PARTS_MAX 256.0f
 
+// A segment with light at two points is no longer than this share of its distance to a lamp.
+#define LIGHT_PART 0.25f
+
+#define LIGHTS_ALL(scene) ((scene)->frame->light_picks == (scene)->frame->light_count)
+
 // The rule by which the frame sums light; folds to a constant when kernels are made for it alone.
 #define IN_SCATTERING_IS(scene, id)                             \
   ((((BRUME_IN_SCATTERINGS_USED) >> IN_SCATTERING_##id) & 1) && \
    ((BRUME_IN_SCATTERINGS_USED) == (1 << IN_SCATTERING_##id) || (scene)->frame->in_scattering == IN_SCATTERING_##id))
+
+// The same of one medium: `adaptive` has two points in each segment, whatever the frame says.
+#define SUMS_BY(scene, medium, id) \
+  (METHOD_IS(medium, ADAPTIVE) ? IN_SCATTERING_##id == IN_SCATTERING_GAUSS2 : IN_SCATTERING_IS(scene, id))
 
 // τ of the media beside one, carried along a view ray.
 typedef struct {
@@ -46,7 +57,7 @@ typedef struct {
 #if BRUME_RANDOM
   uint id[W];  // names the random numbers of each
 #endif
-#if BRUME_MEDIA == 2
+#if BRUME_MEDIA >= 2
   floatW others[TAU_CHANNELS];  // τ of the other media up to where each begins,
   floatW beside[TAU_CHANNELS];  // and over it
 #endif
@@ -71,7 +82,7 @@ static inline float stretch_end(const Stretch* s, int i) {
   return s->ray->t_begin + (s->at->begin[i] + s->at->size[i]);
 }
 
-#if BRUME_MEDIA == 2
+#if BRUME_MEDIA >= 2
 #if BRUME_TRACKING
 // τ of the media beside m up to s.
 static inline void others_advance(const Scene* scene, const Stretch* stretch, int m, float s, Random random,
@@ -113,8 +124,8 @@ static inline void stretch_other(const Scene* scene, Stretch* s, int m, float fr
   }
 }
 
-// Of the media beside m up to and over each segment that counts.
-static inline void stretch_others(const Scene* scene, Stretch* s, int m, Others* others, uint* lookups) {
+// Of all media but those from `first` to before `end` up to and over each segment that counts.
+static inline void stretch_others(const Scene* scene, Stretch* s, int first, int end, Others* others, uint* lookups) {
   int last = -1;
   for (int i = 0; i < W; ++i) last = s->integral[i] > 0.0f ? i : last;
   for (int c = 0; c < TAU_CHANNELS; ++c) {
@@ -124,12 +135,12 @@ static inline void stretch_others(const Scene* scene, Stretch* s, int m, Others*
   if (last < 0) return;
 #if BRUME_TRACKING
   if (!TAKES_ENDS(scene)) {
-    stretch_others_placed(scene, s, m, others, lookups);
+    stretch_others_placed(scene, s, first, others, lookups);
     return;
   }
 #endif
   for (int other = 0; other < MEDIA_END(scene); ++other)
-    if (other != m) stretch_other(scene, s, other, others->s, last, &others->tau, lookups);
+    if (other < first || other >= end) stretch_other(scene, s, other, others->s, last, &others->tau, lookups);
   others->s = s->at->begin[last] + s->at->size[last];
   const intW counts = lanes_load(s->integral) > (floatW)(0.0f);
   for (int c = 0; c < TAU_CHANNELS; ++c) s->beside[c] = lanes_select((floatW)(0.0f), s->beside[c], counts);
@@ -141,7 +152,7 @@ static inline void stretch_depths(Stretch* s, Tau sigma_t) {
   const floatW integral = lanes_load(s->integral);
   for (int c = 0; c < TAU_CHANNELS; ++c) {
     s->depth[c] = tau_channel(sigma_t, c) * integral;
-#if BRUME_MEDIA == 2
+#if BRUME_MEDIA >= 2
     s->depth[c] += s->beside[c];
 #endif
   }
@@ -161,10 +172,33 @@ typedef struct {
   int part;
 } Cut;
 
-// Cuts the segments if one of them is too dense; 0 if none is.
+// How many parts of each segment the lamps near it ask for.
+static inline floatW stretch_light_parts(const Scene* scene, const Stretch* s) {
+  const floatW begin = lanes_load(s->at->begin), size = lanes_load(s->at->size);
+  const float3 origin = vec_point(s->origin, s->dir, s->ray->t_begin);
+  floatW parts = (floatW)(0.0f);
+  for (int l = 0; l < scene->frame->light_count; ++l) {
+    const Light light = scene->lights[l];
+    if (LIGHT_IS(&light, DIRECTIONAL) || light.exponent != 0) continue;
+    const float3 to = vec_unpack(light.position) - origin;
+    const float along = dot(to, s->dir);
+    const float3 beside = to - along * s->dir;
+    const floatW ahead = fmax(fmax(begin - along, along - (begin + size)), (floatW)(0.0f));
+    parts =
+        fmax(parts, size * (1.0f / LIGHT_PART) / sqrt(mad_exact(ahead, ahead, (floatW)(dot(beside, beside) + 1e-30f))));
+  }
+  return parts;
+}
+
+// Cuts the segments if one of them is too dense, or too long beside a lamp; 0 if none is.
 static inline int stretch_cut(const Scene* scene, const Stretch* s, Cut* cut) {
-  const float each = IN_SCATTERING_IS(scene, GAUSS2) ? 1.0f / TAU_PART_GAUSS2 : 1.0f / TAU_PART;
-  const floatW parts = stretch_depth_max(s) * each - PARTS_SLACK;
+  float each = SUMS_BY(scene, s->medium, GAUSS2) ? 1.0f / TAU_PART_GAUSS2 : 1.0f / TAU_PART;
+  if (METHOD_IS(s->medium, ADAPTIVE)) each = 1.0f / s->medium->tau_part;
+  floatW parts = stretch_depth_max(s) * each;
+  if (SUMS_BY(scene, s->medium, GAUSS2) && LIGHTS_ALL(scene) && !IS_PRODUCT(s->medium) &&
+      vec_max(vec_unpack(s->medium->sigma_s)) > 0.0f)
+    parts = fmax(parts, stretch_light_parts(scene, s));
+  parts -= PARTS_SLACK;
   if (!lanes_any(parts > (floatW)(1.0f))) return 0;
   const floatW count = fmin(fmax(ceil(parts), (floatW)(1.0f)), (floatW)(PARTS_MAX));
   lanes_store(count, cut->count);

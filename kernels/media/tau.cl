@@ -85,7 +85,7 @@ static inline Collision track_collide(const Medium* medium, const Random* walk, 
 // τ of a medium by tracking: an estimate whose exp(-τ) is right in the mean.
 static inline Tau track_tau(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random, Tau sigma_t,
                             uint* lookups) {
-  Walk walk = walk_begin(medium, ray, random, 1);
+  Walk walk = walk_begin(medium, ray, random, WALK_TO_LIGHT);
   Segments at;
   float integral[W];
   Tau tau = (Tau)(0.0f);
@@ -103,9 +103,9 @@ static inline Tau track_tau(const Scene* scene, const Medium* medium, const Medi
 }
 #endif
 
-// Optical depth of medium m from the origin to t_max.
+// Optical depth of medium m from the origin to t_max; `purpose` as in walk.cl.
 static inline Tau medium_tau(const Scene* scene, int m, float3 origin, float3 dir, float t_max, Random random,
-                             uint* lookups) {
+                             int purpose, uint* lookups) {
   const Medium medium = scene->media[m];
   const Tau sigma_t = medium_sigma_t(&medium);
   if (!(tau_max(sigma_t) > 0.0f)) return sigma_t;  // a medium that only glows
@@ -115,16 +115,16 @@ static inline Tau medium_tau(const Scene* scene, int m, float3 origin, float3 di
 #if BRUME_TRACKING
   if (PLACEMENT_IS(&medium, COLLISIONS)) return track_tau(scene, &medium, &ray, walk, sigma_t, lookups);
 #endif
-  return sigma_t * walk_total(scene, &medium, &ray, walk, tau_min(sigma_t), lookups);
+  return sigma_t * walk_total(scene, &medium, &ray, walk, purpose, tau_min(sigma_t), lookups);
 }
 
-// Optical depth of all media but `except` from the origin to t_max.
+// Optical depth of all media but `except` from the origin to t_max, on the way to a light.
 static inline Tau media_tau(const Scene* scene, int except, float3 origin, float3 dir, float t_max, Random random,
                             uint* lookups) {
   Tau tau = (Tau)(0.0f);
 #if BRUME_MEDIA
   for (int m = 0; m < MEDIA_END(scene); ++m)
-    if (m != except) tau += medium_tau(scene, m, origin, dir, t_max, random, lookups);
+    if (m != except) tau += medium_tau(scene, m, origin, dir, t_max, random, WALK_TO_LIGHT, lookups);
 #endif
   return tau;
 }

@@ -3,7 +3,9 @@
 #define BRUME_MEDIA_TWO_POINTS_CL
 #include "media/sources.cl"
 
-#define FIRST_POINT 0.211324865405187f  // (1 - 1/√3) / 2 of the segment, and as far from its end
+#define FIRST_POINT 0.211324865405187f   // (1 - 1/√3) / 2 of the segment
+#define SECOND_POINT 0.788675134594813f  // and as far from its end
+#define BETWEEN_POINTS 0.577350269189626f
 
 // What one shadow ray of each segment brings to one of its points: E · V · p and the depth on the way.
 typedef struct {
@@ -106,7 +108,7 @@ static inline Colors sources_from_points(const Scene* scene, const Stretch* s, M
 
 // S of each segment.
 static inline Colors stretch_sources(const Scene* scene, Stretch* s, MediumResult* result) {
-  if (IN_SCATTERING_IS(scene, GAUSS2) && !PLACEMENT_IS(s->medium, COLLISIONS))
+  if (SUMS_BY(scene, s->medium, GAUSS2) && !PLACEMENT_IS(s->medium, COLLISIONS))
     return sources_from_points(scene, s, result);
 #if BRUME_LIGHT_GRID
   if (s->medium->light_grids >= 0) return sources_from_grid(scene, s, result);

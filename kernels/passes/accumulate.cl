@@ -46,6 +46,7 @@ OUTLINED void pixel_add(FilmPixel* sum, const Sample* sample, float unit) {
   sum->dropped_rays += (float)sample->dropped_rays;
   sum->dropped_weight += sample->dropped_weight;
   sum->key += sample->key;
+  sum->error += sample->error;
   if (sample->hit) {
     sum->depth += sample->depth * unit;
     sum->hits += 1.0f;

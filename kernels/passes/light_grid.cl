@@ -65,6 +65,7 @@ __kernel void light_grid(SCENE_ARGS, int medium, int light_index, uint first, ui
     if (vec_max(light.irradiance) > 0.0f && ((along && !moved) || bricks_near(&scene, &m, p, near)))
       tau += media_tau(&scene, -1, point, -light.travel, known ? grid.column_step : light.distance,
                        random_stream(random, (uint)k), &lookups);
+    tau = fmin(tau, (Tau)(TAU_STOP));  // behind which walks end, sooner or later
     known = along && !moved;
 #if BRUME_COLOR_TAU
     const float channels[3] = {tau.x, tau.y, tau.z};

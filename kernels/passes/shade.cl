@@ -9,7 +9,7 @@ static inline uint ray_key(int primitive, uint lit, uint walked, uint second) {
 static inline Sample sample_begin(uint item) {
   Sample s;
   s.radiance = s.normal = s.transmittance = vec_pack((float3)(0.0f));
-  s.depth = s.dropped_weight = 0.0f;
+  s.depth = s.dropped_weight = s.error = 0.0f;
   s.key = s.lookups = s.shadow_rays = s.secondary_rays = s.dropped_rays = 0;
   s.hit = 0;
   s.first_ray = item;
@@ -51,7 +51,9 @@ OUTLINED float3 sample_add(const Scene* scene, const Ray* ray, const Hit* hit, c
   s->shadow_rays += medium->shadow_rays;
   s->secondary_rays += wave > 0;
   s->key += ray_key(hit->primitive, lit, walked, second) * (2 * wave + 1);
-  return vec_unpack(ray->weight) * (vec_unpack(medium->radiance) + vec_unpack(medium->transmittance) * behind);
+  const float3 weight = vec_unpack(ray->weight), seen = vec_unpack(medium->transmittance) * behind;
+  s->error += vec_mean(weight) * (medium->error + vec_mean(seen) * medium->tau_error);
+  return weight * (vec_unpack(medium->radiance) + seen);
 }
 
 // sent: of each sample, how many rays its rays of this wave send on.

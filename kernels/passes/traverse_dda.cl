@@ -1,5 +1,5 @@
 // What the media do to each ray between its origin and its hit: transmittance and in-scattered radiance.
-#include "media/radiative.cl"
+#include "media/scatter.cl"
 
 __kernel void traverse_dda(SCENE_ARGS, uint count, __global const Ray* rays, __global const Hit* hits,
                            __global MediumResult* results) {

@@ -4,7 +4,7 @@
 #include "lib/camera.cl"
 #include "materials/material.cl"
 #include "materials/surface.cl"
-#include "media/radiative.cl"
+#include "media/scatter.cl"
 #include "shared/aov.h"
 #include "shared/layout.h"
 
@@ -114,7 +114,7 @@ PROBE(probe_segments) {
   const MediumRay ray = medium_ray(&medium, probe_load3(v + 1), probe_load3(v + 4), v[7]);
   for (int i = 0; i < 2 * PROBE_SEGMENTS; ++i) o[i] = 0.0f;
   if (!(ray.length > 0.0f)) return;
-  Walk walk = walk_begin(&medium, &ray, random_begin(frame, item, 0), 0);
+  Walk walk = walk_begin(&medium, &ray, random_begin(frame, item, 0), WALK_SCATTERS);
   Segments at;
   int n = 0;
   for (walk_next(&scene, &medium, &ray, &walk, &at); at.count > 0; walk_next(&scene, &medium, &ray, &walk, &at)) {
@@ -132,7 +132,7 @@ PROBE(probe_integral) {
   const Medium medium = media[as_int(v[0])];
   const MediumRay ray = medium_ray(&medium, probe_load3(v + 1), probe_load3(v + 4), v[7]);
   uint lookups = 0;
-  out[item] = walk_total(&scene, &medium, &ray, random_begin(frame, item, 0), 0.0f, &lookups);
+  out[item] = walk_total(&scene, &medium, &ray, random_begin(frame, item, 0), WALK_SEEN, 0.0f, &lookups);
 }
 
 // in: medium as bits, 16 points in its cell space. out: their densities

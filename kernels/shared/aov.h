@@ -11,7 +11,8 @@
   ROW(COST, "cost", 1, "density lookups per sample, shadow rays included")                                         \
   ROW(VARIANCE, "variance", 3,                                                                                     \
       "of one sample, unbiased; divided by `samples` the squared standard error of the pixel; 0 below 2 samples")  \
-  ROW(SAMPLES, "samples", 1, "how many samples the pixel is the mean of")
+  ROW(SAMPLES, "samples", 1, "how many samples the pixel is the mean of")                                          \
+  ROW(ERROR, "error", 1, "estimate: what adaptive expects of its walk, and the standard error of several samples")
 
 BRUME_SHARED_BEGIN
 enum Aov {
@@ -45,7 +46,8 @@ typedef struct {
   float invalid;
   // Transmittance, its three channels' mean, over the samples that hit nothing: how much of the background is seen.
   float clear;
+  float error;  // what `adaptive` expects to be off by
 } FilmPixel;
-BRUME_LAYOUT(FilmPixel, 92);
+BRUME_LAYOUT(FilmPixel, 96);
 BRUME_SHARED_END
 #endif

@@ -26,20 +26,21 @@
   STRUCT(PlacedGrid,                                                                                                   \
          F(cell_from_world) F(world_from_cell) F(lo) F(grid) F(hi) F(interpolation) F(region) F(constant_density))     \
   STRUCT(MediumBody, F(sigma_a) F(density) F(sigma_s) F(glow) F(emission) F(phase) F(g))                               \
-  STRUCT(MediumWalk, F(method) F(step) F(track_sigma) F(light_grids))                                                  \
-  STRUCT(Medium,                                                                                                       \
-         F(cell_from_world) F(world_from_cell) F(lo) F(hi) F(brick_offset) F(cells_x) F(cells_y) F(cells_z)            \
-             F(brick_nx) F(brick_ny) F(brick_nz) F(interpolation) F(region) F(is_constant) F(constant_density)         \
-                 F(sigma_a) F(sigma_s) F(emission) F(phase) F(g) F(method) F(step) F(track_sigma) F(light_grids))      \
+  STRUCT(MediumWalk, F(method) F(step) F(track_sigma) F(light_grids) F(tolerance) F(tau_part) F(tau_lit)               \
+                         F(piece_rates) F(light_steps))                                                                \
+  STRUCT(Medium, F(cell_from_world) F(world_from_cell) F(lo) F(hi) F(brick_offset) F(cells_x) F(cells_y) F(cells_z)    \
+                     F(brick_nx) F(brick_ny) F(brick_nz) F(interpolation) F(region) F(is_constant) F(constant_density) \
+                         F(sigma_a) F(sigma_s) F(emission) F(phase) F(g) F(method) F(step) F(track_sigma)              \
+                             F(light_grids) F(tolerance) F(tau_part) F(tau_lit) F(piece_rates) F(light_steps))         \
   STRUCT(Ray, F(origin) F(pixel) F(dir) F(sample) F(weight) F(seed) F(heirs) F(start))                                 \
   STRUCT(Hit, F(t) F(primitive) F(u) F(v))                                                                             \
-  STRUCT(MediumResult, F(transmittance) F(lookups) F(radiance) F(shadow_key) F(shadow_rays))                           \
+  STRUCT(MediumResult, F(transmittance) F(lookups) F(radiance) F(shadow_key) F(shadow_rays) F(error) F(tau_error))     \
   STRUCT(SurfaceResult,                                                                                                \
          F(radiance) F(lit) F(normal) F(second) F(lookups) F(shadow_rays) F(sent) F(dropped_rays) F(dropped_weight))   \
   STRUCT(Sample, F(radiance) F(key) F(normal) F(depth) F(transmittance) F(hit) F(first_ray) F(rays) F(lookups)         \
-                     F(shadow_rays) F(secondary_rays) F(dropped_rays) F(dropped_weight))                               \
+                     F(shadow_rays) F(secondary_rays) F(dropped_rays) F(dropped_weight) F(error))                      \
   STRUCT(Work, F(pixel) F(first_sample) F(samples) F(first_ray))                                                       \
-  STRUCT(FilmPixel, F(radiance) F(samples) F(squares) F(normal) F(depth) F(transmittance) F(hits) F(lookups) F(key)    \
-                        F(shadow_rays) F(secondary_rays) F(dropped_rays) F(dropped_weight) F(invalid) F(clear))
+  STRUCT(FilmPixel, F(radiance) F(samples) F(squares) F(normal) F(depth) F(transmittance) F(hits) F(lookups) F(key) F( \
+                        shadow_rays) F(secondary_rays) F(dropped_rays) F(dropped_weight) F(invalid) F(clear) F(error))
 
 #endif

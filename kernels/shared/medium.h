@@ -23,6 +23,9 @@
 #define BRICK_BLOCK (1 << BRICK_BLOCK_SHIFT)  // bricks along a side
 #define BRICK_BLOCK_ENTRIES (BRICK_BLOCK * BRICK_BLOCK * BRICK_BLOCK)
 
+// So many media are walked side by side along a view ray.
+#define MEDIA_TOGETHER 16
+
 BRUME_SHARED_BEGIN
 enum MediumRegion { REGION_BOX, REGION_SPHERE };  // sphere: the ellipsoid inscribed in [lo, hi]; only for `constant`
 
@@ -72,8 +75,13 @@ typedef struct {
   float step;         // world length of a marching step
   float track_sigma;  // extinction per density at which trackers collide: the largest σt, or what makes a glow seen
   int light_grids;    // number of the first of its light grids, one per light; -1: light is traced
+  float tolerance;    // of `adaptive`, as the next ones
+  float tau_part;     // optical depth above which a segment is cut
+  float tau_lit;      // optical depth behind which no light is asked for
+  int piece_rates;    // its rows of RenderPlan::piece_rates begin there
+  int light_steps;    // rays to lights take equal steps of `step` instead of pieces
 } MediumWalk;
-BRUME_LAYOUT(MediumWalk, 16);
+BRUME_LAYOUT(MediumWalk, 36);
 
 // All of it side by side, as kernels read it: one copy out of memory for every ray.
 typedef struct {
@@ -88,8 +96,10 @@ typedef struct {
   int method;
   float step, track_sigma;
   int light_grids;
+  float tolerance, tau_part, tau_lit;
+  int piece_rates, light_steps;
 } Medium;
-BRUME_LAYOUT(Medium, 224);
+BRUME_LAYOUT(Medium, 244);
 
 #ifndef __OPENCL_C_VERSION__
 static inline int medium_placed(MediumBody body) { return body.density >= 0 ? body.density : body.glow; }
@@ -122,6 +132,11 @@ static inline Medium medium_join(const BrickGrid* grid, const PlacedGrid* placed
   m.step = walk->step;
   m.track_sigma = walk->track_sigma;
   m.light_grids = walk->light_grids;
+  m.tolerance = walk->tolerance;
+  m.tau_part = walk->tau_part;
+  m.tau_lit = walk->tau_lit;
+  m.piece_rates = walk->piece_rates;
+  m.light_steps = walk->light_steps;
   return m;
 }
 #endif

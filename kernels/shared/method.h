@@ -18,10 +18,18 @@
 // it is real (at most 1): a brick with one hot voxel has a million collisions that hardly scatter.
 #define TRACK_LIGHTS 4.0f
 
+// A brick that would need this many pieces per cell of way, or more, is walked by its cells.
+#define PIECE_RATE_CELLS 2.0f
+// Rows of RenderPlan::piece_rates: rate of view rays, rate of rays to lights, mean square error of ∫ρ per cell of way.
+#define PIECE_ROW 3
+#define PIECE_LIGHT 1
+#define PIECE_ROUGH 2
+
 // Where segments begin and end. PLACEMENT(ID, help)
-#define BRUME_PLACEMENTS(PLACEMENT)                                \
-  PLACEMENT(CELLS, "at the faces of cells, empty bricks left out") \
-  PLACEMENT(STEPS, "equal steps of at most render.step")           \
+#define BRUME_PLACEMENTS(PLACEMENT)                                                   \
+  PLACEMENT(CELLS, "at the faces of cells, empty bricks left out")                    \
+  PLACEMENT(STEPS, "equal steps of at most render.step")                              \
+  PLACEMENT(PIECES, "at equal pieces of bricks, of rough ones at the faces of cells") \
   PLACEMENT(COLLISIONS, "at tentative collisions")
 
 // ∫ρ over one. RULE(ID, kernel function NAME_integral, density lookups)
@@ -30,33 +38,36 @@
   RULE(GAUSS2, dda_gauss2, 2)     \
   RULE(MIDPOINT, dda_midpoint, 1) \
   RULE(SAMPLE, march, 1)          \
-  RULE(PRODUCT, homogeneous, 0)
+  RULE(PRODUCT, homogeneous, 0)   \
+  RULE(PIECE, piece, 2)
 
 // ROW(ID, name, densities that it fits, placement, rule, share of a segment before its sample, over how much more of it
 // the sample is drawn, draws, densities for which it is exact, help). `auto` takes the first that is exact.
-#define BRUME_METHODS(ROW)                                                                                          \
-  ROW(DDA_NEAREST, "dda_nearest", FITS_NEAREST, CELLS, NEAREST, 0.5f, 0.0f, DRAWS_NOTHING, FITS_NEAREST,            \
-      "voxel by voxel; exact for nearest")                                                                          \
-  ROW(DDA_GAUSS2, "dda_gauss2", FITS_TRILINEAR, CELLS, GAUSS2, 0.5f, 0.0f, DRAWS_NOTHING, FITS_TRILINEAR,           \
-      "cell by cell, 2-point Gauss-Legendre; exact for trilinear")                                                  \
-  ROW(DDA_MIDPOINT, "dda_midpoint", FITS_TRILINEAR, CELLS, MIDPOINT, 0.5f, 0.0f, DRAWS_NOTHING, 0,                  \
-      "cell by cell, one sample in the middle")                                                                     \
-  ROW(MARCH_REGULAR, "march_regular", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.0f, 0.0f, DRAWS_NOTHING, 0,   \
-      "equal steps, one sample where each begins")                                                                  \
-  ROW(MARCH_REGULAR_JITTER, "march_regular_jitter", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.0f, 1.0f,       \
-      DRAWS_PLACES, 0, "equal steps, one sample anywhere in each")                                                  \
-  ROW(MARCH_MIDPOINT, "march_midpoint", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.5f, 0.0f, DRAWS_NOTHING, 0, \
-      "equal steps, one sample in the middle of each")                                                              \
-  ROW(MARCH_MIDPOINT_JITTER, "march_midpoint_jitter", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.25f, 0.5f,    \
-      DRAWS_PLACES, 0, "equal steps, one sample anywhere in the middle half of each")                               \
-  ROW(DELTA_TRACKING, "delta_tracking", FITS_NEAREST | FITS_TRILINEAR, COLLISIONS, SAMPLE, 0.0f, 0.0f,              \
-      DRAWS_COLLISIONS, 0, "to the first collision; unbiased, noisy: transmittance is 0 or 1")                      \
-  ROW(RATIO_TRACKING, "ratio_tracking", FITS_NEAREST | FITS_TRILINEAR, COLLISIONS, SAMPLE, 0.0f, 0.0f,              \
-      DRAWS_COLLISIONS, 0, "through all collisions, weakened by each; unbiased")                                    \
-  ROW(RESIDUAL_RATIO, "residual_ratio", FITS_NEAREST | FITS_TRILINEAR, COLLISIONS, SAMPLE, 0.0f, 0.0f,              \
-      DRAWS_COLLISIONS, 0, "ratio tracking of what exceeds each brick's smallest density; unbiased")                \
-  ROW(HOMOGENEOUS, "homogeneous", FITS_CONSTANT, STEPS, PRODUCT, 0.5f, 0.0f, DRAWS_NOTHING, FITS_CONSTANT,          \
-      "closed form for a constant density (also cut to a sphere); equal steps for the light")
+#define BRUME_METHODS(ROW)                                                                                           \
+  ROW(DDA_NEAREST, "dda_nearest", FITS_NEAREST, CELLS, NEAREST, 0.5f, 0.0f, DRAWS_NOTHING, FITS_NEAREST,             \
+      "voxel by voxel; exact for nearest")                                                                           \
+  ROW(DDA_GAUSS2, "dda_gauss2", FITS_TRILINEAR, CELLS, GAUSS2, 0.5f, 0.0f, DRAWS_NOTHING, FITS_TRILINEAR,            \
+      "cell by cell, 2-point Gauss-Legendre; exact for trilinear")                                                   \
+  ROW(DDA_MIDPOINT, "dda_midpoint", FITS_TRILINEAR, CELLS, MIDPOINT, 0.5f, 0.0f, DRAWS_NOTHING, 0,                   \
+      "cell by cell, one sample in the middle")                                                                      \
+  ROW(MARCH_REGULAR, "march_regular", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.0f, 0.0f, DRAWS_NOTHING, 0,    \
+      "equal steps, one sample where each begins")                                                                   \
+  ROW(MARCH_REGULAR_JITTER, "march_regular_jitter", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.0f, 1.0f,        \
+      DRAWS_PLACES, 0, "equal steps, one sample anywhere in each")                                                   \
+  ROW(MARCH_MIDPOINT, "march_midpoint", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.5f, 0.0f, DRAWS_NOTHING, 0,  \
+      "equal steps, one sample in the middle of each")                                                               \
+  ROW(MARCH_MIDPOINT_JITTER, "march_midpoint_jitter", FITS_NEAREST | FITS_TRILINEAR, STEPS, SAMPLE, 0.25f, 0.5f,     \
+      DRAWS_PLACES, 0, "equal steps, one sample anywhere in the middle half of each")                                \
+  ROW(DELTA_TRACKING, "delta_tracking", FITS_NEAREST | FITS_TRILINEAR, COLLISIONS, SAMPLE, 0.0f, 0.0f,               \
+      DRAWS_COLLISIONS, 0, "to the first collision; unbiased, noisy: transmittance is 0 or 1")                       \
+  ROW(RATIO_TRACKING, "ratio_tracking", FITS_NEAREST | FITS_TRILINEAR, COLLISIONS, SAMPLE, 0.0f, 0.0f,               \
+      DRAWS_COLLISIONS, 0, "through all collisions, weakened by each; unbiased")                                     \
+  ROW(RESIDUAL_RATIO, "residual_ratio", FITS_NEAREST | FITS_TRILINEAR, COLLISIONS, SAMPLE, 0.0f, 0.0f,               \
+      DRAWS_COLLISIONS, 0, "ratio tracking of what exceeds each brick's smallest density; unbiased")                 \
+  ROW(HOMOGENEOUS, "homogeneous", FITS_CONSTANT, STEPS, PRODUCT, 0.5f, 0.0f, DRAWS_NOTHING, FITS_CONSTANT,           \
+      "closed form for a constant density (also cut to a sphere); equal steps for the light")                        \
+  ROW(ADAPTIVE, "adaptive", FITS_NEAREST | FITS_TRILINEAR | FITS_CONSTANT, PIECES, PIECE, 0.5f, 0.0f, DRAWS_NOTHING, \
+      0, "as fine as render.tolerance asks: pieces of bricks, light where it bends")
 
 // How the light scattered along a segment is summed.
 #define BRUME_IN_SCATTERINGS(ROW)                                                                \
@@ -146,6 +157,7 @@ static inline int rule_lookups(int rule) {
 }
 
 static inline int method_has_step(int method) { return method_placement(method) == PLACEMENT_STEPS; }
+static inline int method_has_tolerance(int method) { return method_placement(method) == PLACEMENT_PIECES; }
 static inline int method_tracks(int method) { return method_placement(method) == PLACEMENT_COLLISIONS; }
 
 // `auto`: the first method that is exact for one of these densities (FITS_x bits).

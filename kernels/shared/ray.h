@@ -45,8 +45,10 @@ typedef struct {
   Packed3 radiance;  // in-scattered, as it arrives at the origin
   uint shadow_key;   // which lights surfaces block where: PICTURE, Keys
   uint shadow_rays;
+  float error;      // estimate, of the radiance: PICTURE, Estimated errors
+  float tau_error;  // of the optical depth
 } MediumResult;
-BRUME_LAYOUT(MediumResult, 36);
+BRUME_LAYOUT(MediumResult, 44);
 
 // What a surface sends towards the ray that hit it, and the rays that it sends on.
 typedef struct {
@@ -74,7 +76,8 @@ typedef struct {
   uint first_ray, rays;   // its rays of the wave at work
   uint lookups, shadow_rays, secondary_rays, dropped_rays;
   float dropped_weight;
+  float error;  // as in MediumResult, of all its rays
 } Sample;
-BRUME_LAYOUT(Sample, 76);
+BRUME_LAYOUT(Sample, 80);
 BRUME_SHARED_END
 #endif

@@ -29,6 +29,7 @@
   ROW(__global, int, bricks, FLAT, bricks, "brick index") NEXT                                            \
   ROW(__global, float, ranges, STORED, brick_ranges, "brick ranges") NEXT                                 \
   ROW(__global, Voxel, voxels, STORED, voxels, "voxels") NEXT                                             \
+  ROW(__global, float, piece_rates, PLAN, piece_rates, "rates of pieces") NEXT                            \
   ROW(__global, LightGrid, light_grids, PLAN, light_grids, "light grids") NEXT                            \
   ROW(__global, float, light_tau, SCRATCH, light_entries, "light grid depths")
 

@@ -116,12 +116,7 @@ static inline float steps_total(const Scene* scene, const Medium* medium, const 
   while (total * sigma < TAU_STOP && steps_next(scene, medium, ray, s, &b)) {
     const Lookup l = lookup_from(ray, b.place, lanes_to_float(b.x * BRICK_CELLS), lanes_to_float(b.y * BRICK_CELLS),
                                  lanes_to_float(b.z * BRICK_CELLS), b.entry * BRICK_VALUES, WITHIN_BRICK);
-    floatW density = lookup_value(medium, scene->voxels, &l);
-#if BRUME_STORAGE == 2
-    float zero[W], part[W];
-    brick_scales(scene, b.entry, zero, part);
-    density = mad_exact(density, lanes_load(part), lanes_load(zero));
-#endif
+    const floatW density = brick_density(scene, b.entry, lookup_value(medium, scene->voxels, &l));
     total += lanes_sum(lanes_select((floatW)(0.0f), density * s->size, b.used));
     *lookups += (uint)steps_used(&b);
   }

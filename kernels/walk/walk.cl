@@ -6,6 +6,7 @@
 #include "walk/dda_nearest.cl"
 #include "walk/homogeneous.cl"
 #include "walk/march.cl"
+#include "walk/pieces.cl"
 #include "walk/tracking.cl"
 
 // True for the method, placement or rule of this medium; folds to a constant when the scene uses one only, and code for
@@ -18,6 +19,9 @@
 #define RULE_IS(medium, id) \
   (((RULES_USED >> RULE_##id) & 1) && (RULES_USED == (1 << RULE_##id) || method_rule((medium)->method) == RULE_##id))
 
+// A density without voxels, whose integral is a product.
+#define IS_PRODUCT(medium) (RULE_IS(medium, PRODUCT) || (METHOD_IS(medium, ADAPTIVE) && (medium)->is_constant))
+
 #define WALKED_IS(medium, id)                     \
   (((PLACEMENTS_WALKED >> PLACEMENT_##id) & 1) && \
    (PLACEMENTS_WALKED == (1 << PLACEMENT_##id) || method_placement((medium)->method) == PLACEMENT_##id))
@@ -25,23 +29,30 @@
 typedef struct {
   Dda dda;
   Steps steps;
+  Pieces pieces;
 #if BRUME_TRACKING
   Track track;
 #endif
 } Walk;
 
-// only_tau: nobody asks for light along the way.
-static inline Walk walk_begin(const Medium* medium, const MediumRay* ray, Random random, int only_tau) {
+// What a walk is for.
+#define WALK_SCATTERS 0  // light is asked for along the way
+#define WALK_SEEN 1      // only the depth is, of a view ray
+#define WALK_TO_LIGHT 2  // or of a ray to a light
+
+static inline Walk walk_begin(const Medium* medium, const MediumRay* ray, Random random, int purpose) {
   Walk w;
   if (!PLACEMENT_IS(medium, STEPS)) w.dda = dda_begin(medium, ray, 0.0f);
   w.steps = steps_begin(medium, ray, random, method_share(medium->method), method_jitter(medium->method));
+  w.pieces = pieces_begin(ray, ray->length, purpose == WALK_TO_LIGHT);
 #if BRUME_TRACKING
-  w.track = track_begin(medium, random, METHOD_IS(medium, RESIDUAL_RATIO), only_tau);
+  w.track = track_begin(medium, random, METHOD_IS(medium, RESIDUAL_RATIO), purpose != WALK_SCATTERS);
 #endif
   return w;
 }
 
-// The part of a walk that covers [from, until] of s: steps stay as they are along the whole ray, cells are cut.
+// The part of a walk that covers [from, until] of s: steps and pieces stay as they are along the whole ray, cells are
+// cut.
 static inline Walk walk_within(const Medium* medium, const MediumRay* ray, Random random, float from, float until) {
   Walk w;
   if (WALKED_IS(medium, STEPS)) {
@@ -50,7 +61,12 @@ static inline Walk walk_within(const Medium* medium, const MediumRay* ray, Rando
     w.steps.count = min((int)ceil(until / w.steps.size), w.steps.count);
   } else {
     w.dda = dda_begin(medium, ray, from);
-    w.dda.end = until;
+    if (WALKED_IS(medium, PIECES)) {
+      w.dda.s = dda_brick_enter(&w.dda);
+      w.pieces = pieces_begin(ray, until, 0);
+    } else {
+      w.dda.end = until;
+    }
   }
   return w;
 }
@@ -60,6 +76,8 @@ static inline void walk_next_stored(const Scene* scene, const Medium* medium, co
                                     Segments* out) {
   if (WALKED_IS(medium, STEPS)) {
     steps_fill(scene, medium, ray, &w->steps, out);
+  } else if (WALKED_IS(medium, PIECES)) {
+    pieces_fill(scene, medium, ray, &w->dda, &w->pieces, out);
 #if BRUME_TRACKING
   } else if (WALKED_IS(medium, COLLISIONS)) {
     track_fill(scene, medium, &w->dda, &w->track, out);
@@ -71,7 +89,7 @@ static inline void walk_next_stored(const Scene* scene, const Medium* medium, co
 
 // The next up to W segments in order along the ray; count 0 at the end.
 static inline void walk_next(const Scene* scene, const Medium* medium, const MediumRay* ray, Walk* w, Segments* out) {
-  if (RULE_IS(medium, PRODUCT))
+  if (IS_PRODUCT(medium))
     homogeneous_fill(&w->steps, out);
   else
     walk_next_stored(scene, medium, ray, w, out);
@@ -79,6 +97,7 @@ static inline void walk_next(const Scene* scene, const Medium* medium, const Med
 
 // ∫ρ over each of the segments, in world length. A rule without its function does not compile.
 static inline floatW walk_integral(const Scene* scene, const Medium* medium, const MediumRay* ray, const Segments* at) {
+  if (IS_PRODUCT(medium)) return homogeneous_integral(medium, scene->voxels, ray, at);
 #define RULE(id, function, lookups) \
   if (RULE_IS(medium, id)) return function##_integral(medium, scene->voxels, ray, at);
   BRUME_RULES(RULE)
@@ -90,11 +109,13 @@ static inline floatW walk_integral(const Scene* scene, const Medium* medium, con
 static inline floatW walk_integral_shares(const Scene* scene, const Medium* medium, const MediumRay* ray,
                                           const Segments* at, floatW* second) {
   if (RULE_IS(medium, GAUSS2)) return dda_gauss2_shares(scene->voxels, ray, at, second);
+  if (RULE_IS(medium, PIECE) && !IS_PRODUCT(medium)) return piece_shares(medium, scene->voxels, ray, at, second);
   *second = (floatW)(0.5f);
   return walk_integral(scene, medium, ray, at);
 }
 
 static inline uint walk_lookups(const Medium* medium, const Segments* at) {
+  if (IS_PRODUCT(medium)) return 0;
 #define RULE(id, function, lookups) \
   if (RULE_IS(medium, id)) return (uint)at->count * (lookups);
   BRUME_RULES(RULE)
@@ -116,11 +137,12 @@ static inline uint walk_id(const Medium* medium, const Segments* at, int i) {
 // ∫ρ over the whole ray inside the medium, not for trackers; the rest is left out once it is black by an extinction of
 // `sigma`.
 static inline float walk_total(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random,
-                               float sigma, uint* lookups) {
+                               int purpose, float sigma, uint* lookups) {
   if (!(ray->length > 0.0f)) return 0.0f;
-  if (RULE_IS(medium, PRODUCT)) return homogeneous_total(medium, ray);
-  Walk walk = walk_begin(medium, ray, random, 1);
-  if (WALKED_IS(medium, STEPS)) return steps_total(scene, medium, ray, &walk.steps, sigma, lookups);
+  if (IS_PRODUCT(medium)) return homogeneous_total(medium, ray);
+  Walk walk = walk_begin(medium, ray, random, purpose);
+  const int light_steps = METHOD_IS(medium, ADAPTIVE) && purpose == WALK_TO_LIGHT && medium->light_steps;
+  if (WALKED_IS(medium, STEPS) || light_steps) return steps_total(scene, medium, ray, &walk.steps, sigma, lookups);
   Segments at;
   float total = 0.0f;
   while (total * sigma < TAU_STOP) {  // one call of walk_next: every call site is compiled anew

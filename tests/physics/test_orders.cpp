@@ -56,5 +56,25 @@ TEST(Orders, AreThoseThatTheoryExpects) {
   }
 }
 
+// Of a cloud: the fog is so smooth that one piece a brick errs by less than most tolerances.
+TEST(Orders, AdaptiveFollowsItsTolerance) {
+  const SceneDesc desc = scene_read_text(
+      R"({"film": {"size": [24, 18]}, "camera": {"eye": [1.5, 1.2, 3], "vfov": 36},
+      "lights": [{"type": "directional", "direction": [1, -1, -0.5], "irradiance": 5}],
+      "media": [{"density": {"type": "perlin", "resolution": [64, 64, 64], "scale": 8, "octaves": 3},
+                 "sigma_a": 0.5, "sigma_s": 1.5}]})",
+      "cloud.json", {});
+  LoadedScene loaded;
+  ChartScene scene(desc, loaded, pocl(), {8, false, {}});
+  std::vector<Knobs> list;
+  for (const double tolerance : {1e-1, 1e-2, 1e-3})
+    list.push_back({METHOD_ADAPTIVE, 0, 0, STORAGE_F32, IN_SCATTERING_SEGMENT, 1, tolerance});
+  const std::vector<ChartOrder> orders = fitted(scene, list);
+  ASSERT_EQ(orders.size(), 1u);
+  EXPECT_EQ(orders[0].knob, "tolerance");
+  // Bricks go over to more pieces one by one, and then to cells: no straight line.
+  EXPECT_NEAR(orders[0].fitted, orders[0].expected, 0.25);
+}
+
 }  // namespace
 }  // namespace brume::test

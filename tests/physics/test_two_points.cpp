@@ -114,6 +114,19 @@ TEST(TwoPoints, FogUnderEveryLightAgainstTheExactIntegral) {
 }
 
 // A cloud of few, large and dense cells.
+// Cells of half the medium, a lamp in one of them and the ray close by.
+TEST(TwoPoints, LampWithinLargeCells) {
+  for (const char* target : {"[0.3, 0.21, 0.1]", "[0.3, 0.3, 0.1]", "[0.1, -0.15, 0.05]"}) {
+    Fog fog;
+    fog.density = R"({"type": "exponential", "resolution": [2, 4, 2]})";
+    fog.light = LAMP_INSIDE;
+    fog.target = target;
+    const double exact = fog.exact_pixel();
+    EXPECT_NEAR(fog.reference_pixel() / exact, 1, 1e-3) << target;
+    for (const int lanes : {1, 8}) EXPECT_NEAR(fog.kernel_pixel(lanes) / exact, 1, 1e-3) << target;
+  }
+}
+
 TEST(TwoPoints, DenseCloudAgainstTheExactIntegral) {
   for (const double sigma_t : {1.0, 10.0, 100.0, 1e3}) {
     Fog cloud;

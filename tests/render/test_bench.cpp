@@ -139,17 +139,18 @@ TEST_F(Bench, LongScalingTurnsOneNumberAtATime) {
   const Json json = Json::parse(text(folder_ / "out/scaling.json"));
   std::map<std::string, Json> axes;
   for (const Json& axis : json["axes"]) axes[axis["name"]] = axis;
-  EXPECT_EQ(axes.size(), 8u);
+  EXPECT_EQ(axes.size(), 9u);
   EXPECT_EQ(axes["pixels a side"]["points"].size(), 0u);
   EXPECT_TRUE(axes["pixels a side"]["exponent"].is_null());
   ASSERT_EQ(axes["lights"]["points"].size(), 2u);
   EXPECT_GT(axes["lights"]["points"][1]["seconds"], 0);
   EXPECT_NEAR(axes["lights"]["lookups_exponent"].get<double>(), 1, 0.2);
-  EXPECT_NEAR(axes["overlapping media"]["lookups_exponent"].get<double>(), 2, 0.2);
+  EXPECT_NEAR(axes["overlapping media, light grid"]["lookups_exponent"].get<double>(), 1, 0.2);
+  EXPECT_NEAR(axes["overlapping media, light traced"]["lookups_exponent"].get<double>(), 2, 0.2);
   EXPECT_EQ(axes["threads"]["lookups_exponent"].get<double>(), 0);
-  EXPECT_THAT(r.out, HasSubstr("\noverlapping media\n       1 "));
+  EXPECT_THAT(r.out, HasSubstr("\noverlapping media, light grid\n       1 "));
   if (std::system("command -v gnuplot >/dev/null") == 0) {
-    EXPECT_THAT(text(folder_ / "out/scaling.svg"), HasSubstr("overlapping media: "));
+    EXPECT_THAT(text(folder_ / "out/scaling.svg"), HasSubstr("overlapping media, light grid: "));
     EXPECT_GT(fs::file_size(folder_ / "out/scaling.png"), 1000u);
     EXPECT_FALSE(fs::exists(folder_ / "out/scaling.gnuplot"));
   }

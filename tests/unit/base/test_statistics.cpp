@@ -104,5 +104,14 @@ TEST(Statistics, WithoutASecondRunNothingIsKnownOfNoise) {
   EXPECT_FALSE(changes[0].exceeds());
 }
 
+TEST(Statistics, RankCorrelationSeesOnlyTheOrder) {
+  EXPECT_DOUBLE_EQ(*rank_correlation({1, 2, 3, 4}, {0, 1, 100, 1e6}), 1);
+  EXPECT_DOUBLE_EQ(*rank_correlation({1, 2, 3, 4}, {5, 4, 3, -7}), -1);
+  EXPECT_DOUBLE_EQ(*rank_correlation({1, 2, 3}, {1, 3, 2}), 0.5);
+  EXPECT_DOUBLE_EQ(*rank_correlation({1, 1, 2, 2}, {1, 2, 1, 2}), 0);  // equal values share a rank
+  EXPECT_FALSE(rank_correlation({1, 2, 3}, {7, 7, 7}));
+  EXPECT_FALSE(rank_correlation({}, {}));
+}
+
 }  // namespace
 }  // namespace brume

@@ -46,6 +46,7 @@ TEST(ChartKnobs, EveryKnobIsTurnedWhereItIs) {
   for (const Knobs& knobs : knobs_list(all_methods(), VOXELS, 1)) {
     const MethodRow row = method_row(knobs.method);
     EXPECT_EQ(knobs.step > 0, row.placement == PLACEMENT_STEPS) << knobs_id(knobs);
+    EXPECT_EQ(knobs.tolerance > 0, row.placement == PLACEMENT_PIECES) << knobs_id(knobs);
     if (row.placement == PLACEMENT_COLLISIONS || row.rule == RULE_PRODUCT) {
       EXPECT_EQ(knobs.light_grid, 0);
     }

@@ -36,7 +36,8 @@ inline const char* const SCENE_FULL = R"({
     {"bounds": [[-1, -2, -3], [1, 2, 3]], "transform": [{"scale": [2, 2, 2]}], "interpolation": "nearest",
      "density": {"type": "sphere", "of": {"type": "perlin", "resolution": [8, 16, 32], "scale": 2.5, "octaves": 3, "seed": 5}},
      "sigma_a": [1, 2, 3], "sigma_s": [4, 5, 6], "emission": [0, 0, 0], "phase": {"type": "henyey_greenstein", "g": -0.5},
-     "emission_density": {"type": "linear", "resolution": [4, 4, 4]}, "method": "march_regular", "step": 0.25},
+     "emission_density": {"type": "linear", "resolution": [4, 4, 4]}, "method": "march_regular", "step": 0.25,
+     "tolerance": 0.125},
     {"interpolation": "trilinear", "density": {"type": "file", "path": "/data/smoke.vdb", "grid": "density", "level_set": "fill",
        "threshold": 0.25, "remap": [[-1, 0], [0.5, 2], [3, 0]], "scale": 2.5, "negative": "refuse"},
      "sigma_a": [0.1, 0.1, 0.1], "sigma_s": [0, 0, 0], "emission": [0, 0, 0], "phase": {"type": "isotropic"}},
@@ -46,7 +47,7 @@ inline const char* const SCENE_FULL = R"({
      "sigma_a": [1, 1, 1], "sigma_s": [0, 0, 0], "emission": [0, 0, 0], "phase": {"type": "isotropic"}},
     {"interpolation": "trilinear", "density": {"type": "exponential", "resolution": [4, 4, 4]},
      "sigma_a": [1, 1, 1], "sigma_s": [0, 0, 0], "emission": [0, 0, 0], "phase": {"type": "isotropic"}}],
-  "render": {"method": "march_midpoint", "step": 0.125, "in_scattering": "segment", "shadow": "trace", "light_grid": 32,
+  "render": {"method": "march_midpoint", "step": 0.125, "tolerance": 0.25, "in_scattering": "segment", "shadow": "trace", "light_grid": 32,
     "storage": "u8", "light_samples": 16, "roulette": 0.25, "max_depth": 3, "seed": 7, "max_error": 0.01,
     "error_metric": "display"}
 })";

@@ -1,0 +1,129 @@
+// See runs.hpp.
+#include "reference/runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+
+#include "reference/phase.hpp"
+
+namespace brume::reference {
+namespace {
+
+constexpr std::size_t SPAN = 4;
+
+double sum_of(const dvec3& v) { return v.x + v.y + v.z; }
+
+// One light along a run.
+class LightRun {
+ public:
+  LightRun(const Context& context, const Medium& medium, std::size_t light, const RayD& ray,
+           const std::vector<RunPoint>& points, double seen, Scattered& result)
+      : context_(context),
+        light_(light),
+        ray_(ray),
+        points_(points),
+        tolerance_(medium.tolerance),
+        seen_(seen),
+        result_(result),
+        passed_(points.size(), dvec3(0)) {
+    const dvec3 sigma_s = vec_promote(medium.sigma_s);
+    for (const RunPoint& point : points) {
+      const LightSample sample = sample_at(weights_.size());
+      const double phase = sample.shines() ? phase_eval(medium.phase, medium.g, glm::dot(sample.travel, -ray.dir)) : 0;
+      weights_.push_back(sigma_s * sample.irradiance * phase * point.gain);
+    }
+  }
+
+  dvec3 radiance() {
+    const auto sends = [](const dvec3& weight) { return weight != dvec3(0); };
+    const auto from = std::find_if(weights_.begin(), weights_.end(), sends);
+    if (from == weights_.end()) return dvec3(0);
+    const auto first = static_cast<std::size_t>(from - weights_.begin());
+    const auto last =
+        static_cast<std::size_t>(weights_.rend() - std::find_if(weights_.rbegin(), weights_.rend(), sends)) - 1;
+    ask(first);
+    for (std::size_t a = first; a < last; a += SPAN) {
+      const std::size_t b = std::min(a + SPAN, last);
+      ask(b);
+      between(a, b);
+    }
+    dvec3 sum(0);
+    for (std::size_t i = first; i <= last; ++i) sum += weights_[i] * passed_[i];
+    return sum;
+  }
+
+ private:
+  LightSample sample_at(std::size_t i) const { return light_at(context_.scene.lights[light_], ray_.at(points_[i].t)); }
+
+  void ask(std::size_t i) {
+    const LightSample sample = sample_at(i);
+    passed_[i] = dvec3(1);
+    if (sample.distance == 0) return;
+    const RayD shadow{ray_.at(points_[i].t), -sample.travel};
+    if (occluded(context_.scene, context_.bounds, shadow, sample.distance)) {
+      passed_[i] = dvec3(0);
+      result_.shadow_key += static_cast<uint>(light_ + 1);
+      return;
+    }
+    const uint stream = (i % 2 ? STREAM_LIGHT_END : STREAM_LIGHT) + static_cast<uint>(light_);
+    passed_[i] = transmittance_of(
+        media_tau(context_, shadow, sample.distance, points_[i].random.child(stream), result_.lookups));
+  }
+
+  // Points strictly between two that have been asked.
+  void between(std::size_t a, std::size_t b) {
+    if (b - a < 2) return;
+    dvec3 weight(0);
+    for (std::size_t i = a + 1; i < b; ++i) weight += weights_[i];
+    const double from = points_[a].t, to = points_[b].t;
+    const auto line = [&](double t) { return passed_[a] + (passed_[b] - passed_[a]) * ((t - from) / (to - from)); };
+    if (sum_of(weight) <= tolerance_ / 4 * seen_) {
+      for (std::size_t i = a + 1; i < b; ++i) passed_[i] = line(points_[i].t);
+      return;
+    }
+    const std::size_t m = (a + b) / 2;
+    ask(m);
+    const dvec3 mean = (passed_[a] + 2.0 * passed_[m] + passed_[b]) / 4.0, bend = passed_[m] - line(points_[m].t);
+    const double off = sum_of(weight * glm::abs(bend));
+    if (off > tolerance_ * (seen_ + sum_of(weight * mean))) {
+      between(a, m);
+      between(m, b);
+      return;
+    }
+    result_.error += off / 3;
+    // Lagrange's parabola
+    const double over = points_[m].t;
+    for (std::size_t i = a + 1; i < b; ++i) {
+      const double t = points_[i].t;
+      const dvec3 value = passed_[a] * ((t - over) * (t - to) / ((from - over) * (from - to))) +
+                          passed_[m] * ((t - from) * (t - to) / ((over - from) * (over - to))) +
+                          passed_[b] * ((t - from) * (t - over) / ((to - from) * (to - over)));
+      if (i != m) passed_[i] = glm::clamp(value, 0.0, 1.0);
+    }
+  }
+
+  const Context& context_;
+  std::size_t light_;
+  const RayD& ray_;
+  const std::vector<RunPoint>& points_;
+  double tolerance_, seen_;
+  Scattered& result_;
+  std::vector<dvec3> weights_, passed_;  // of each point: what it sends if nothing is in the way; V · T
+};
+
+}  // namespace
+
+dvec3 run_radiance(const Context& context, int index, const RayD& ray, const std::vector<RunPoint>& points,
+                   double& seen, Scattered& result) {
+  dvec3 sum(0);
+  for (std::size_t light = 0; light < context.scene.lights.size(); ++light) {
+    const dvec3 its =
+        LightRun(context, context.media[static_cast<std::size_t>(index)], light, ray, points, seen, result).radiance();
+    sum += its;
+    seen += sum_of(its);
+  }
+  return sum;
+}
+
+}  // namespace brume::reference

@@ -1,0 +1,22 @@
+// Light of `adaptive` (PICTURE, Runs): which points of a view ray ask for light, and what the others take it to be.
+#pragma once
+#include <vector>
+
+#include "reference/scatter.hpp"
+
+namespace brume::reference {
+
+struct RunPoint {
+  double t;
+  dvec3 gain;           // ∫ρT that it stands for
+  RandomStream random;  // of its segment
+};
+
+inline constexpr std::size_t RUN_POINTS = 64;
+
+// What medium `index` scatters to the origin of the ray from a run of points. `seen` is the light, summed over the
+// channels, that the ray got before, and grows.
+dvec3 run_radiance(const Context& context, int index, const RayD& ray, const std::vector<RunPoint>& points,
+                   double& seen, Scattered& result);
+
+}  // namespace brume::reference

@@ -1,0 +1,214 @@
+// Light of `adaptive`: of a run of points along the view ray some are asked for how much of each light gets through to
+// them; the others read it from parabolas (PICTURE, Runs).
+#ifndef BRUME_MEDIA_RUNS_CL
+#define BRUME_MEDIA_RUNS_CL
+#include "media/two_points.cl"
+
+#define RUN_POINTS 64    // of 32 segments
+#define RUN_SPAN 4       // points from one that is asked to the next: no parabola is longer
+#define RUN_DEPTH 4      // of intervals that are cut into halves: 2^(RUN_DEPTH - 2) >= RUN_SPAN
+#define RUN_FAINT 0.25f  // of the tolerance: points that could send no more than that are not asked
+
+typedef struct {
+  int count;
+  float place[RUN_POINTS];               // s, ascending
+  float gain[TAU_CHANNELS][RUN_POINTS];  // ∫ρT that each point stands for
+#if BRUME_RANDOM
+  uint id[RUN_POINTS];
+#endif
+  float seen;  // light that the ray got so far: sum over channels
+} Run;
+
+// One light at the points of a run.
+typedef struct {
+  int first, last;                         // points that it may reach
+  float weight[3][RUN_POINTS];             // what each sends to the origin if nothing is in the way, per colour
+  float upto[TAU_CHANNELS][RUN_POINTS];    // sum of the weights up to each, it included
+  float passed[TAU_CHANNELS][RUN_POINTS];  // V · T of what is known
+} RunLight;
+
+#define RUN_COLOR(color) (TAU_CHANNELS == 1 ? 0 : (color))
+
+// σs · E · p of light l at a point of the run.
+static inline float3 run_arriving(const Scene* scene, const Stretch* s, const Run* run, int l, int i) {
+  const float3 point = vec_point(s->origin, s->dir, s->ray->t_begin + run->place[i]);
+  const LightSample light = light_sample(scene, l, point, s->walk);
+  if (!(vec_max(light.irradiance) > 0.0f)) return (float3)(0.0f);
+  return vec_unpack(s->medium->sigma_s) * light.irradiance *
+         phase_eval(s->medium->phase, s->medium->g, light.travel, -s->dir);
+}
+
+// Light l at all points, unblocked; of a directional one E and p are the same everywhere. 0: it reaches none.
+static inline int run_weigh(const Scene* scene, const Stretch* s, const Run* run, int l, RunLight* out) {
+  const int same = USES_LIGHT(DIRECTIONAL) && scene->lights[l].type == LIGHT_DIRECTIONAL;
+  float3 arriving = run_arriving(scene, s, run, l, 0);
+  float sum[TAU_CHANNELS];
+  for (int c = 0; c < TAU_CHANNELS; ++c) sum[c] = 0.0f;
+  out->first = run->count;
+  out->last = -1;
+  for (int i = 0; i < run->count; ++i) {
+    if (!same && i > 0) arriving = run_arriving(scene, s, run, l, i);
+    const float3 weight =
+        arriving * (float3)(run->gain[0][i], run->gain[TAU_CHANNELS / 2][i], run->gain[TAU_CHANNELS - 1][i]);
+    out->weight[0][i] = weight.x;
+    out->weight[1][i] = weight.y;
+    out->weight[2][i] = weight.z;
+    sum[0] += weight.x;
+    sum[RUN_COLOR(1)] += weight.y;
+    sum[RUN_COLOR(2)] += weight.z;
+    for (int c = 0; c < TAU_CHANNELS; ++c) out->upto[c][i] = sum[c];
+    if (!(vec_max(weight) > 0.0f)) continue;
+    out->first = min(out->first, i);
+    out->last = i;
+  }
+  return out->last >= 0;
+}
+
+// V · T of light l at point i.
+static inline void run_ask(const Scene* scene, const Stretch* s, const Run* run, int l, int i, RunLight* light,
+                           MediumResult* result) {
+  const float t = s->ray->t_begin + run->place[i];
+  const float3 point = vec_point(s->origin, s->dir, t);
+  const LightSample sample = light_sample(scene, l, point, s->walk);
+#if BRUME_RANDOM
+  const Random random =
+      random_stream(random_stream(s->walk, run->id[i]), (i & 1 ? STREAM_LIGHT_END : STREAM_LIGHT) + (uint)l);
+#else
+  const Random random = s->walk;
+#endif
+  Tau passed = (Tau)(0.0f);
+  ++result->shadow_rays;
+  if (scene_occluded(scene, point, -sample.travel, sample.distance))
+    result->shadow_key += (uint)(l + 1);
+  else
+    passed = exp(-media_tau(scene, -1, point, -sample.travel, sample.distance, random, &result->lookups));
+  for (int c = 0; c < TAU_CHANNELS; ++c) light->passed[c][i] = tau_channel(passed, c);
+}
+
+static inline float slope_between(float a, float b, float from, float to) {
+  return to > from ? (b - a) / (to - from) : 0.0f;
+}
+
+// Weight of what lies between two points.
+static inline float run_between(const RunLight* light, int c, int a, int b) {
+  return light->upto[c][b - 1] - light->upto[c][a];
+}
+
+// Whether the points between a and b send so little that nobody has to be asked.
+static inline int run_is_faint(const Run* run, const RunLight* light, int a, int b, float tolerance) {
+  if (b - a < 2) return 1;
+  float most = 0.0f;
+  for (int c = 0; c < TAU_CHANNELS; ++c) most += run_between(light, c, a, b);
+  return !(most > tolerance * RUN_FAINT * run->seen);
+}
+
+// By how much light at m, between a and b, is off the straight line: what the points between them send with it.
+static inline float run_bend(const Run* run, const RunLight* light, int a, int m, int b) {
+  float off = 0.0f;
+  const float share = (run->place[m] - run->place[a]) / fmax(run->place[b] - run->place[a], 1e-30f);
+  for (int c = 0; c < TAU_CHANNELS; ++c) {
+    const float near = light->passed[c][a], line = mad_exact(share, light->passed[c][b] - near, near);
+    off += run_between(light, c, a, b) * fabs(light->passed[c][m] - line);
+  }
+  return off;
+}
+
+// About what they send, and what the ray has got before.
+static inline float run_sent(const Run* run, const RunLight* light, int a, int m, int b) {
+  float sum = run->seen;
+  for (int c = 0; c < TAU_CHANNELS; ++c) {
+    const float* passed = light->passed[c];
+    sum += run_between(light, c, a, b) * (0.25f * (passed[a] + passed[b]) + 0.5f * passed[m]);
+  }
+  return sum;
+}
+
+// Fills in the points between a and b by the parabola through m, which is one of them; without one (m = a) by a line.
+static inline void run_fill(const Run* run, int a, int m, int b, RunLight* light) {
+  const float from = run->place[a], over = run->place[m], to = run->place[b];
+  for (int c = 0; c < TAU_CHANNELS; ++c) {
+    float* passed = light->passed[c];
+    const float line = slope_between(passed[a], passed[b], from, to);
+    const float first = m > a ? slope_between(passed[a], passed[m], from, over) : line;
+    const float turn = m > a ? slope_between(first, slope_between(passed[m], passed[b], over, to), from, to) : 0.0f;
+    for (int i = a + 1; i < b; ++i) {
+      const float s = run->place[i];
+      if (i != m) passed[i] = fmin(fmax(mad_exact(s - from, mad_exact(s - over, turn, first), passed[a]), 0.0f), 1.0f);
+    }
+  }
+}
+
+// What gets through of light l to all points that it may reach: asks at intervals of RUN_SPAN points, and between them
+// where it bends. One call of run_ask: every call site is compiled anew.
+static inline void run_pass(const Scene* scene, const Stretch* s, const Run* run, int l, RunLight* light,
+                            MediumResult* result) {
+  const float tolerance = s->medium->tolerance;
+  int ends[RUN_DEPTH], depth = 0, known = -1, middle = 0, ask = light->first;
+  for (;;) {
+    run_ask(scene, s, run, l, ask, light, result);
+    const int tests = known >= 0 && middle;
+    const float off = tests ? run_bend(run, light, known, ask, ends[depth - 1]) : 0.0f;
+    if (known < 0) {
+      known = ask;
+    } else if (!tests || off > tolerance * run_sent(run, light, known, ask, ends[depth - 1])) {
+      ends[depth++] = ask;
+    } else {
+      result->error += (1.0f / 3.0f) * off;
+      run_fill(run, known, ask, ends[depth - 1], light);
+      known = ends[--depth];
+    }
+    while (depth > 0 && run_is_faint(run, light, known, ends[depth - 1], tolerance)) {
+      run_fill(run, known, known, ends[depth - 1], light);
+      known = ends[--depth];
+    }
+    middle = depth > 0;
+    if (!middle && known == light->last) return;
+    ask = middle ? (known + ends[depth - 1]) / 2 : min(known + RUN_SPAN, light->last);
+  }
+}
+
+// What the run sends to the origin; it is empty then.
+OUTLINED float3 run_shine(const Scene* scene, const Stretch* s, Run* run, MediumResult* result) {
+  float3 sum = (float3)(0.0f);
+  RunLight light;
+  for (int l = 0; l < scene->frame->light_count; ++l) {
+    if (!run_weigh(scene, s, run, l, &light)) continue;
+    run_pass(scene, s, run, l, &light, result);
+    float3 its = (float3)(0.0f);
+    for (int i = light.first; i <= light.last; ++i)
+      its += (float3)(light.weight[0][i] * light.passed[0][i], light.weight[1][i] * light.passed[RUN_COLOR(1)][i],
+                      light.weight[2][i] * light.passed[RUN_COLOR(2)][i]);
+    sum += its;
+    run->seen += its.x + its.y + its.z;
+  }
+  run->count = 0;
+  return sum;
+}
+
+// The points of these segments, but of dense ones, each with its share of ∫ρT; a run that is full shines.
+static inline void run_take(const Scene* scene, const Stretch* s, Run* run, LongSum* radiance, MediumResult* result) {
+  const floatW begin = lanes_load(s->at->begin), size = lanes_load(s->at->size);
+  float place[2][W], gain[TAU_CHANNELS][2][W], integral[W];
+  lanes_store(lanes_select(lanes_load(s->integral), (floatW)(0.0f), s->dense), integral);
+  lanes_store(mad_exact(size, (floatW)(FIRST_POINT), begin), place[0]);
+  lanes_store(mad_exact(size, (floatW)(SECOND_POINT), begin), place[1]);
+  for (int c = 0; c < TAU_CHANNELS; ++c) {
+    const floatW behind = s->second * exp(-BETWEEN_POINTS * s->depth[c]),
+                 share = behind / ((1.0f - s->second) + behind);
+    lanes_store(s->gain[c] * (1.0f - share), gain[c][0]);
+    lanes_store(s->gain[c] * share, gain[c][1]);
+  }
+  for (int i = 0; i < W; ++i) {
+    if (!(integral[i] > 0.0f)) continue;
+    for (int e = 0; e < 2; ++e, ++run->count) {
+      run->place[run->count] = place[e][i];
+      for (int c = 0; c < TAU_CHANNELS; ++c) run->gain[c][run->count] = gain[c][e][i];
+#if BRUME_RANDOM
+      run->id[run->count] = s->id[i];
+#endif
+    }
+    if (run->count == RUN_POINTS) long_sum_add(radiance, run_shine(scene, s, run, result));
+  }
+}
+
+#endif

@@ -11,6 +11,7 @@
 #include "cli/command.hpp"
 #include "compare.hpp"
 #include "render/renderer.hpp"
+#include "roofline.hpp"
 #include "scaling.hpp"
 #include "scratch.hpp"
 #include "specialised.hpp"
@@ -24,7 +25,7 @@ using namespace bench;
 
 struct BenchArguments {
   std::string device;
-  std::filesystem::path json, scaling;
+  std::filesystem::path json, scaling, roofline;
   std::vector<std::filesystem::path> compare, kernels;
   BenchOptions options;
   int size = 512, most = 256;
@@ -109,7 +110,30 @@ int bench_scaling(const BenchArguments& arguments) {
   return 0;
 }
 
+int bench_roofline(const BenchArguments& arguments) {
+  std::filesystem::create_directories(arguments.roofline);
+  const auto file = [&](const char* name) { return arguments.roofline / name; };
+  const std::filesystem::path json = arguments.json.empty() ? file("roofline.json") : arguments.json;
+  for (const std::filesystem::path& wanted : {json, file("roofline.svg")}) AtomicFile probe(wanted);
+  const Scratch scratch;
+  const DeviceInfo device = device_choose(arguments.device);
+  print(device.title() + ", driver " + device.driver + "\n\n" + roofline_header());
+  const std::vector<RooflineRow> rows =
+      roofline_run(device, {arguments.size, arguments.options.repetitions}, scratch.path(),
+                   [](const RooflineRow& row) { print(roofline_text(row)); });
+  print(roofline_legend(rows));
+  Results results{VERSION, device.title(), device.driver, device.compute_units, lanes_choose(device, 0), arguments.size,
+                  {}};
+  for (const RooflineRow& row : rows) results.rows.push_back(row.row);
+  atomic_write(json, results_json(results));
+  print("\n" + json.string() + "\n");
+  if (roofline_plot(device.title(), rows, file("roofline.svg"), file("roofline.png")))
+    print(file("roofline.svg").string() + "\n" + file("roofline.png").string() + "\n");
+  return 0;
+}
+
 int BenchArguments::run() const {
+  if (!roofline.empty()) return bench_roofline(*this);
   if (!scaling.empty()) return bench_scaling(*this);
   if (!compare.empty()) return bench_compare(*this);
   return kernels.empty() ? bench_run(*this) : bench_kernels(*this);
@@ -151,6 +175,14 @@ void command_bench(CLI::App& app, Command& run) {
       ->type_name("DIR")
       ->excludes("--compare")
       ->excludes("--kernels");
+  command
+      ->add_option("--roofline", arguments->roofline,
+                   "Measure how near the parts of brume come to what the device allows instead: roofline.json, .svg "
+                   "and .png in this folder")
+      ->type_name("DIR")
+      ->excludes("--compare")
+      ->excludes("--kernels")
+      ->excludes("--scaling");
   command->add_option("--most", arguments->most, "Of --scaling: the largest number of anything")
       ->check(CLI::Range(2, 1024));
   command->callback([arguments, size, &run] {

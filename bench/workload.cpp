@@ -52,10 +52,13 @@ Workload workload(const std::string& name, const std::filesystem::path& file, in
 
 }  // namespace
 
-std::vector<Workload> workloads(const std::filesystem::path& folder, int size) {
-  std::vector<Workload> all;
+Workload fog_workload(const std::filesystem::path& folder, int size) {
   fog_write(FOG, folder / "fog128.vdb");
-  all.push_back(workload("fog128", folder / "fog128.vdb", size));
+  return workload("fog128", folder / "fog128.vdb", size);
+}
+
+std::vector<Workload> workloads(const std::filesystem::path& folder, int size) {
+  std::vector<Workload> all{fog_workload(folder, size)};
   fog_write(2 * FOG, folder / "fog256_sparse.vdb");
   all.push_back(workload("fog256_sparse", folder / "fog256_sparse.vdb", size));
   all.back().desc.camera = all.front().desc.camera;  // the same view of the same fog

@@ -23,6 +23,7 @@ struct Workload {
 
 // fog128: a smooth fog of 128³ voxels, a sum of Gaussians, written to `folder`. fog256_sparse: the same fog in eight
 // times the volume, the rest of it empty. smoke: BRUME_TEST_DATA/volumes/smoke.vdb where that is there.
+Workload fog_workload(const std::filesystem::path& folder, int size);  // the first alone
 std::vector<Workload> workloads(const std::filesystem::path& folder, int size);
 
 }  // namespace brume::bench

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program.hpp"
+#include "shared/method.h"
 
 namespace brume::test {
 namespace {
@@ -153,6 +154,62 @@ TEST_F(Bench, LongScalingTurnsOneNumberAtATime) {
     EXPECT_GT(fs::file_size(folder_ / "out/scaling.png"), 1000u);
     EXPECT_FALSE(fs::exists(folder_ / "out/scaling.gnuplot"));
   }
+}
+
+// Whatever the machine is busy with, no part is quicker than the device.
+TEST_F(Bench, LongRooflineHoldsEveryPartAgainstTheDevice) {
+  const Outcome r = run("bench --roofline out --size 32 --repetitions 2");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  std::set<std::string> expected{"limit/copy",         "limit/fma",
+                                 "limit/loads",        "cells",
+                                 "light_grid/lookups", "light_grid/points",
+                                 "rays/primary",       "rays/shadow",
+                                 "rays/secondary",     "picture/primary_rays",
+                                 "picture/shade",      "picture/traverse_dda",
+                                 "picture/accumulate", "picture/transfer",
+                                 "picture/write",      "build/bvh",
+                                 "build/bricks",       "image/write_png",
+                                 "image/read_png",     "image/write_exr",
+                                 "image/read_exr"};
+#define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
+  if ((fits) != FITS_CONSTANT) expected.insert(std::string("lookups/") + (name));
+  BRUME_METHODS(ROW)
+#undef ROW
+  std::set<std::string> names;
+  const Json json = Json::parse(text(folder_ / "out/roofline.json"));
+  for (const Json& row : json["benchmarks"]) {
+    const std::string name = row["name"];
+    names.insert(name);
+    EXPECT_GT(row["items"], 0) << name;
+    EXPECT_GT(row["item_bytes"].get<double>() + row["item_flops"].get<double>() + row["item_loads"].get<double>(), 0)
+        << name;
+    EXPECT_GT(row["share"], 0) << name;
+    EXPECT_LE(row["share"], 1.5) << name;
+    EXPECT_THAT(r.out, HasSubstr("\n" + name + " "));
+  }
+  EXPECT_EQ(names, expected);
+  EXPECT_EQ(run("bench --compare out/roofline.json out/roofline.json").exit_code, 0);
+  if (std::system("command -v gnuplot >/dev/null") == 0) {
+    EXPECT_THAT(text(folder_ / "out/roofline.svg"), HasSubstr("lookups/march_midpoint"));
+    EXPECT_GT(fs::file_size(folder_ / "out/roofline.png"), 1000u);
+  }
+}
+
+// The counts of items do not hang on the clock: the rays of a picture, those that seven mirrors send on, its cells.
+TEST_F(Bench, LongRooflineCountsWhatItSays) {
+  ASSERT_EQ(run("bench --roofline out --size 32 --repetitions 1 --json out.json").exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "out/roofline.json"));
+  std::map<std::string, double> items;
+  const Json json = Json::parse(text(folder_ / "out.json"));
+  for (const Json& row : json["benchmarks"]) items[row["name"]] = row["items"];
+  EXPECT_EQ(items["rays/primary"], 32 * 32);
+  EXPECT_EQ(items["rays/shadow"], 32 * 32);
+  EXPECT_EQ(items["rays/secondary"], 8 * 32 * 32);
+  EXPECT_EQ(items["picture/accumulate"], 32 * 32);
+  EXPECT_EQ(items["build/bricks"], 128 * 128 * 128);
+  // Two lookups a cell, but for rays that are black before their end.
+  EXPECT_NEAR(items["lookups/dda_gauss2"] / items["cells"], 2, 0.1);
+  EXPECT_EQ(items["lookups/dda_gauss2"], 2 * items["lookups/dda_midpoint"]);
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ static inline floatW density_nearest(__global const Voxel* voxels, const MediumR
 static inline floatW lookup_blend(__global const Voxel* voxels, const Lookup* l) {
   floatW a, b;
 #define ALONG_X(out, offset)                            \
-  voxels_gather2(voxels, l->sample + (offset), &a, &b); \
+  voxels_gather2(voxels + (offset), l->sample, &a, &b); \
   const floatW out = mad_exact(l->fx, b - a, a)
   ALONG_X(v00, 0);
   ALONG_X(v10, brick_stride(0, 1, 0));

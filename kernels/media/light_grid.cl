@@ -47,9 +47,9 @@ static inline LightGridPlace light_grid_place(const LightGrid* grid, const Mediu
 static inline floatW plane_tau(const LightGrid* grid, __global const float* light_tau, const PlanePlace* at,
                                int first) {
   floatW a, b;
-  lanes_gather2(light_tau, at->point + (intW)(first), &a, &b);
+  lanes_gather2(light_tau + first, at->point, &a, &b);
   const floatW v0 = mad_exact(at->fu, b - a, a);
-  lanes_gather2(light_tau, at->point + (intW)(first + grid->nu), &a, &b);
+  lanes_gather2(light_tau + first + grid->nu, at->point, &a, &b);
   const floatW v1 = mad_exact(at->fu, b - a, a);
   return mad_exact(at->fv, v1 - v0, v0);
 }

@@ -35,7 +35,7 @@ static inline void dda_gauss2_growth(__global const Voxel* voxels, const MediumR
   const Lookup l = lookup_at(ray, at, lanes_load(at->begin), WITHIN_CELL);
   floatW corner[8], along_x[4][2], along_y[2][3];
   for (int k = 0; k < 4; ++k)
-    voxels_gather2(voxels, l.sample + brick_stride(0, k & 1, k >> 1), &corner[2 * k], &corner[2 * k + 1]);
+    voxels_gather2(voxels + brick_stride(0, k & 1, k >> 1), l.sample, &corner[2 * k], &corner[2 * k + 1]);
   for (int k = 0; k < 4; ++k) lerp_cubic(l.fx, size * ray->dir.x, &corner[2 * k], &corner[2 * k + 1], 0, along_x[k]);
   for (int k = 0; k < 2; ++k) lerp_cubic(l.fy, size * ray->dir.y, along_x[2 * k], along_x[2 * k + 1], 1, along_y[k]);
   lerp_cubic(l.fz, size * ray->dir.z, along_y[0], along_y[1], 2, c);

@@ -142,6 +142,14 @@ TEST_F(KernelCache, OneThatCannotBeWrittenIsToldAndKeptElsewhere) {
 // Whether a render took generic kernels.
 class GenericKernels : public KernelCache {
  protected:
+  // Generic kernels are kept, and b.json needs others than a.json does.
+  void SetUp() override {
+    KernelCache::SetUp();
+    std::string checkered = BALL;
+    checkered.replace(checkered.find("\"diffuse\""), 0, "\"texture\": {\"type\": \"checker\"}, ");
+    write("b.json", checkered);
+    ASSERT_EQ(run("render a.json -o c.exr --quiet --generic", cache()).exit_code, 0);
+  }
   bool generic(const std::string& options) {
     EXPECT_EQ(run("render b.json -o b.png --quiet --stats s.json " + options, cache()).exit_code, 0);
     return nlohmann::json::parse(text(folder_ / "s.json")).at("generic_kernels");
@@ -149,10 +157,6 @@ class GenericKernels : public KernelCache {
 };
 
 TEST_F(GenericKernels, ServeASmallPictureWhileTheSceneHasNoneOfItsOwn) {
-  std::string checkered = BALL;
-  checkered.replace(checkered.find("\"diffuse\""), 0, "\"texture\": {\"type\": \"checker\"}, ");
-  write("b.json", checkered);
-  ASSERT_EQ(run("render a.json -o c.exr --quiet --generic", cache()).exit_code, 0);
   EXPECT_TRUE(generic(""));
   EXPECT_TRUE(generic(""));
   EXPECT_FALSE(generic("-o b.exr"));  // from now on the scene has kernels
@@ -160,13 +164,7 @@ TEST_F(GenericKernels, ServeASmallPictureWhileTheSceneHasNoneOfItsOwn) {
   EXPECT_TRUE(generic("--generic"));
 }
 
-TEST_F(GenericKernels, AreNotForLargePictures) {
-  std::string two = BALL;
-  two.replace(two.find("\"diffuse\""), 0, "\"texture\": {\"type\": \"checker\"}, ");
-  write("b.json", two);
-  ASSERT_EQ(run("render a.json -o c.exr --quiet --generic", cache()).exit_code, 0);
-  EXPECT_FALSE(generic("--size 320x320"));
-}
+TEST_F(GenericKernels, AreNotForLargePictures) { EXPECT_FALSE(generic("--size 320x320")); }
 
 }  // namespace
 }  // namespace brume::test

@@ -1,7 +1,14 @@
 // See goal.hpp.
 #include "pilot/goal.hpp"
 
+#include <algorithm>
+
 namespace brume {
+
+std::array<double, 3> shown_by(const FilmPixel& pixel) {
+  const double n = std::max(double(pixel.samples), 1.0);
+  return {pixel.radiance.x / n, pixel.radiance.y / n, pixel.radiance.z / n};
+}
 
 double error_in(const WitnessError& error, int metric) {
   const double values[] = {error.rel_rmse, error.max_abs, error.display};

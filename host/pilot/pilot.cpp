@@ -113,11 +113,8 @@ WitnessError Pilot::error_on(const Panel& panel, const Knobs& knobs, PilotTrial*
     its->seconds = seconds_of(times, panel);
   }
   std::vector<std::array<double, 3>> shown;
-  for (const WitnessDraw& draw : panel.truth.draws) {
-    const FilmPixel& p = film_.pixels()[std::size_t(draw.y) * std::size_t(film_.size().x) + std::size_t(draw.x)];
-    const double n = std::max(double(p.samples), 1.0);
-    shown.push_back({p.radiance.x / n, p.radiance.y / n, p.radiance.z / n});
-  }
+  for (const WitnessDraw& draw : panel.truth.draws)
+    shown.push_back(shown_by(film_.pixels()[std::size_t(draw.y) * std::size_t(film_.size().x) + std::size_t(draw.x)]));
   return witnesses_compare(panel.truth, shown, panel.mean);
 }
 

@@ -20,14 +20,9 @@ constexpr double ALLOWED = 0.5;  // of the goal: a tile that differs by more is 
 constexpr int LIGHT_GRID_FINEST = 256;
 constexpr double STEP_FINEST = 1e-4, TOLERANCE_FINEST = 1e-6;
 
-std::array<double, 3> mean_of(const FilmPixel& p) {
-  const double n = std::max(double(p.samples), 1.0);
-  return {p.radiance.x / n, p.radiance.y / n, p.radiance.z / n};
-}
-
 // How far apart two pixels are in the goal's metric, against what it allows.
 double difference(const FilmPixel& a, const FilmPixel& b, const RenderDesc& goal, double mean) {
-  const auto one = mean_of(a), other = mean_of(b);
+  const auto one = shown_by(a), other = shown_by(b);
   double squares = 0, largest = 0;
   for (std::size_t c = 0; c < 3; ++c) {
     const double off = goal.error_metric == METRIC_DISPLAY
@@ -43,7 +38,7 @@ double difference(const FilmPixel& a, const FilmPixel& b, const RenderDesc& goal
 double film_mean(const Film& film) {
   double sum = 0, pixels = 0;
   for (const FilmPixel& p : film.pixels()) {
-    for (const double value : mean_of(p)) sum += std::abs(value) / 3;
+    for (const double value : shown_by(p)) sum += std::abs(value) / 3;
     pixels += p.samples > 0;
   }
   return pixels > 0 && sum > 0 ? sum / pixels : 1;

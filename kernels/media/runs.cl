@@ -193,8 +193,7 @@ static inline void run_take(const Scene* scene, const Stretch* s, Run* run, Long
   lanes_store(mad_exact(size, (floatW)(FIRST_POINT), begin), place[0]);
   lanes_store(mad_exact(size, (floatW)(SECOND_POINT), begin), place[1]);
   for (int c = 0; c < TAU_CHANNELS; ++c) {
-    const floatW behind = s->second * exp(-BETWEEN_POINTS * s->depth[c]),
-                 share = behind / ((1.0f - s->second) + behind);
+    const floatW share = points_share(s, (floatW)(BETWEEN_POINTS), s->depth[c]);
     lanes_store(s->gain[c] * (1.0f - share), gain[c][0]);
     lanes_store(s->gain[c] * share, gain[c][1]);
   }

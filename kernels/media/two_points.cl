@@ -54,6 +54,12 @@ static inline floatW lanes_points_bend(floatW x, floatW between) {
   return 2.0f * lanes_mean_exp(x) / (1.0f + exp(-between * x));
 }
 
+// Of what is seen of a segment, the share about the second of its points.
+static inline floatW points_share(const Stretch* s, floatW between, floatW depth) {
+  const floatW behind = s->second * exp(-between * depth);
+  return behind / ((1.0f - s->second) + behind);
+}
+
 // What of the light of both points is seen from the begin of the segments, in one channel of τ.
 typedef struct {
   floatW first, second;
@@ -68,7 +74,7 @@ static inline Weights points_weigh(const Stretch* s, const Arrivals* a, int c, i
   const floatW span = lanes_select(depth, fabs(depth + slope), bends);
   const floatW lift = lanes_points_bend(span, between) / lanes_points_bend(depth, between);
   const floatW raise = q * (span - depth);
-  const floatW behind = s->second * exp(-between * depth), share = behind / ((1.0f - s->second) + behind);
+  const floatW share = points_share(s, between, depth);
   Weights w = {lift * exp(raise - near), lift * exp(raise - far)};
   if (lanes_any(s->dense & bends)) {
     const floatW begin = fmax(near - q * grows, (floatW)(0.0f)), end = fmax(far + q * grows, (floatW)(0.0f));

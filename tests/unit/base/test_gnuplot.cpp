@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <string>
 
 #include "base/error.hpp"
 #include "base/gnuplot.hpp"
@@ -25,7 +26,10 @@ class GnuplotFolder : public ::testing::Test {
   std::size_t files() const {
     return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder_), {}));
   }
-  const std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "brume it's a plot";
+  // A folder each: ctest runs both at once.
+  const std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() /
+      (std::string("brume it's ") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(GnuplotFolder, BothFilesAreMadeAndTheScriptGoes) {

@@ -199,7 +199,34 @@ constexpr SceneText SCENES[] = {
   "shapes": [{"type": "sphere", "center": [-0.3, -0.2, 0], "radius": 0.5, "material": "mirror"},
              {"type": "quad", "corner": [-2, -0.8, -2], "u": [0, 0, 4], "v": [4, 0, 0], "material": "mirror"}],
   "media": [{"density": {"type": "perlin", "resolution": [12, 11, 12], "scale": 3}, "sigma_a": 0.2, "sigma_s": 1.5}],
-  "render": {"light_samples": 2, "max_depth": 2}})"},
+  "render": {"light_picks": 2, "max_depth": 2}})"},
+    {"area_lights", R"({
+  "camera": {"eye": [0.6, 1.5, 3.6], "target": [0, 0, 0], "vfov": 42}, "film": {"spp": 2}, "background": [0.05, 0.05, 0.1],
+  "materials": {
+    "grey": {"model": "blinn_phong", "diffuse": [0.6, 0.6, 0.6], "specular": [0.3, 0.3, 0.3], "shininess": 20},
+    "warm": {"diffuse": 0.2, "emission": [6, 4, 2]}, "cold": {"diffuse": 0, "emission": [1, 2, 3]}},
+  "shapes": [
+    {"type": "sphere", "center": [-0.8, 0.5, 0.3], "radius": 0.25, "material": "warm"},
+    {"type": "quad", "corner": [0.3, 1.4, -0.3], "u": [0.8, 0, 0.2], "v": [0, 0.1, 0.7], "material": "cold"},
+    {"type": "cylinder", "base": [0.9, -0.6, 0.4], "top": [1.1, 0.3, 0.3], "radius": 0.15, "material": "cold"},
+    {"type": "box", "min": [-0.2, -0.1, -0.2], "max": [0.2, 0.3, 0.2], "transform": [{"rotate": [0, 1, 0.3, 35]}, {"translate": [0, -0.5, 1]}],
+     "material": "warm"},
+    {"type": "triangle", "vertices": [[-1.2, 0.1, -0.9], [-0.4, 0, -1], [-0.9, 0.9, -0.8]], "material": "warm"},
+    {"type": "sphere", "center": [0.1, 0, 0], "radius": 0.35, "material": "grey"},
+    {"type": "quad", "corner": [-2, -0.8, -2], "u": [0, 0, 4], "v": [4, 0, 0], "material": "grey"}],
+  "media": [{"density": {"type": "perlin", "resolution": [12, 11, 12], "scale": 3}, "sigma_a": 0.2, "sigma_s": 1.5}],
+  "render": {"light_samples": 3}})"},
+    {"area_centroid", R"({
+  "camera": {"eye": [0.6, 1.5, 3.6], "target": [0, 0, 0], "vfov": 42}, "background": [0.05, 0.05, 0.1],
+  "lights": [{"type": "directional", "direction": [0.3, -1, -0.4], "irradiance": 0.2}],
+  "materials": {"warm": {"diffuse": 0.2, "emission": [6, 4, 2]}, "glow": {"emission": 2, "light": false}},
+  "shapes": [
+    {"type": "sphere", "center": [-0.8, 0.5, 0.3], "radius": 0.25, "material": "warm"},
+    {"type": "triangle", "vertices": [[0.4, 1.2, -0.9], [1.2, 1.2, -0.9], [0.9, 1.3, 0.2]], "material": "warm"},
+    {"type": "sphere", "center": [0.1, 0, 0], "radius": 0.35, "material": "glow"},
+    {"type": "quad", "corner": [-2, -0.8, -2], "u": [0, 0, 4], "v": [4, 0, 0]}],
+  "media": [{"bounds": [[-1, -0.7, -1], [1, 0.9, 1]], "density": {"type": "constant", "value": 0.6}, "sigma_a": 0.2, "sigma_s": 0.5}],
+  "render": {"light_points": "centroid"}})"},
     {"adaptive_media", R"({
   "camera": {"eye": [1.4, 1, 3], "target": [0, 0, 0], "vfov": 45}, "background": [0.1, 0.1, 0.1],
   "lights": [{"type": "directional", "direction": [-1, -1, -0.4], "irradiance": [3, 3, 3]},
@@ -221,7 +248,7 @@ constexpr SceneText SCENES[] = {
   "lights": [{"type": "directional", "direction": [-0.5, -1, -0.3], "irradiance": 4}, {"type": "point", "position": [0.2, 1.6, -0.6]}],
   "media": [{"density": {"type": "sphere", "of": {"type": "perlin", "resolution": [21, 17, 26], "scale": 3, "octaves": 3, "seed": 7}},
              "sigma_a": 0.5, "sigma_s": 9}],
-  "render": {"method": "adaptive", "tolerance": 0.0002, "light_samples": 1, "roulette": 0.3}})"},
+  "render": {"method": "adaptive", "tolerance": 0.0002, "light_picks": 1, "roulette": 0.3}})"},
     {"empty", R"({"background": [0.25, 0.5, 0.75], "film": {"spp": 5}})"},
 };
 

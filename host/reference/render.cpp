@@ -30,10 +30,10 @@ Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& 
   uint n = 0;
   for (const LightPick& pick : light_picks(scene, random, 0, context.exact())) {
     const RandomStream shadow = random.child(STREAM_LIGHT + n++);
-    const dvec3 to_light = -light_at(scene.lights[pick.light], surface.point).travel;
+    const dvec3 to_light = -light_at(scene, scene.lights[pick.light], surface.point, random).travel;
     if (!(glm::dot(surface.normal, to_light) > 0)) continue;
     const dvec3 origin = surface_leave(surface, to_light);
-    const Arrival arrival = light_arrival(context, pick.light, surface.point, origin, shadow, lookups);
+    const Arrival arrival = light_arrival(context, pick.light, surface.point, origin, random, shadow, lookups);
     if (arrival.blocked) continue;
     lit.lights |= 1u << (pick.light % 32);
     lit.radiance += pick.weight * arrival.irradiance * surface_reflect(scene, surface, view_dir, arrival.light.travel);

@@ -21,6 +21,9 @@ FAMILY(light_family, BRUME_LIGHTS)
 #define ROW(id, name, help) {FALLOFF_##id, name, help},
 FAMILY(falloff_family, BRUME_FALLOFFS)
 #undef ROW
+#define ROW(id, name, help) {LIGHT_POINTS_##id, name, help},
+FAMILY(light_points_family, BRUME_LIGHT_POINTS)
+#undef ROW
 #define ROW(id, name, help) {MATERIAL_##id, name, help},
 FAMILY(material_family, BRUME_MATERIALS)
 #undef ROW

@@ -58,6 +58,7 @@ struct MaterialDesc {
   int model = MATERIAL_LAMBERT;
   dvec3 ambient{0}, diffuse{0.5}, specular{0}, emission{0};
   double shininess = 50, reflection = 0, refraction = 0, ior = 1.5;
+  bool is_light = true;  // where it emits: a light to all else
   std::optional<TextureDesc> texture;
 };
 
@@ -150,7 +151,7 @@ struct MediumDesc {
 inline constexpr int METHOD_AUTO = -1;
 inline constexpr int IN_SCATTERING_AUTO = -1;
 inline constexpr int SHADOW_AUTO = -1;
-inline constexpr int LIGHT_SAMPLES_AUTO = -1;
+inline constexpr int LIGHT_PICKS_AUTO = -1;
 
 // How far off a picture is, in one number. ROW(ID, name, help)
 #define BRUME_ERROR_METRICS(ROW)                                                            \
@@ -171,9 +172,11 @@ struct RenderDesc {
   int in_scattering = IN_SCATTERING_AUTO;
   int shadow = SHADOW_AUTO;
   int storage = STORAGE_F32;
-  int light_grid = 64;                     // shadow grid: cells of the light grid along the medium's longest side
-  int light_samples = LIGHT_SAMPLES_AUTO;  // how many lights a point asks; 0: all
-  double roulette = 0;                     // transmittance below which view rays end at random; 0: never
+  int light_grid = 64;                 // shadow grid: cells of the light grid along the medium's longest side
+  int light_picks = LIGHT_PICKS_AUTO;  // how many lights a point asks; 0: all
+  int light_samples = 1;               // points on each surface that emits, where all lights are asked
+  int light_points = LIGHT_POINTS_STRATIFIED;
+  double roulette = 0;  // transmittance below which view rays end at random; 0: never
   int max_depth = 5;
   int seed = 0;
   std::optional<double> max_error;    // settings of the media are chosen that reach it soonest, in error_metric,

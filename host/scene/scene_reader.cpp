@@ -70,7 +70,9 @@ RenderDesc read_render(const JsonValue& scene) {
   r.shadow = render.member("shadow", r.shadow, shadows, "shadow mode");
   r.storage = render.member("storage", r.storage, storage_family(), "storage");
   r.light_grid = render.integer("light_grid", r.light_grid, 1, LIGHT_GRID_MAX);
-  r.light_samples = render.integer("light_samples", r.light_samples, 0, LIGHT_PICKS_MAX);
+  r.light_picks = render.integer("light_picks", r.light_picks, 0, LIGHT_PICKS_MAX);
+  r.light_samples = render.integer("light_samples", r.light_samples, 1, LIGHT_PICKS_MAX);
+  r.light_points = render.member("light_points", r.light_points, light_points_family(), "choice of points");
   r.roulette = render.number("roulette", r.roulette, Range::closed(0, 1));
   r.max_depth = render.integer("max_depth", r.max_depth, 0, 64);
   r.seed = render.integer("seed", r.seed, 0, 0x7fffffff);

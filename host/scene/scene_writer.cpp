@@ -78,7 +78,8 @@ Json material_json(const MaterialDesc& m, const Folder& folder) {
             {"reflection", number(m.reflection)},
             {"refraction", number(m.refraction)},
             {"ior", number(m.ior)},
-            {"emission", vec(m.emission)}};
+            {"emission", vec(m.emission)},
+            {"light", m.is_light}};
   if (!m.texture) return json;
   if (m.texture->type == TEXTURE_IMAGE)
     json["texture"] = path_text(m.texture->file, folder);
@@ -154,11 +155,13 @@ Json render_json(const RenderDesc& r) {
             {"in_scattering", auto_or_name(in_scattering_family(), r.in_scattering)},
             {"shadow", auto_or_name(shadow_family(), r.shadow)},
             {"light_grid", r.light_grid},
+            {"light_samples", r.light_samples},
+            {"light_points", family_name(light_points_family(), r.light_points)},
             {"storage", family_name(storage_family(), r.storage)},
             {"roulette", r.roulette},
             {"max_depth", r.max_depth},
             {"seed", r.seed}};
-  if (r.light_samples != LIGHT_SAMPLES_AUTO) json["light_samples"] = r.light_samples;
+  if (r.light_picks != LIGHT_PICKS_AUTO) json["light_picks"] = r.light_picks;
   if (r.max_error) json["max_error"] = number(*r.max_error);
   if (r.time_budget) json["time_budget"] = number(*r.time_budget);
   if (r.has_goal()) json["error_metric"] = family_name(error_metric_family(), r.error_metric);

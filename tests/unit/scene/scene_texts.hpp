@@ -48,7 +48,7 @@ inline const char* const SCENE_FULL = R"({
     {"interpolation": "trilinear", "density": {"type": "exponential", "resolution": [4, 4, 4]},
      "sigma_a": [1, 1, 1], "sigma_s": [0, 0, 0], "emission": [0, 0, 0], "phase": {"type": "isotropic"}}],
   "render": {"method": "march_midpoint", "step": 0.125, "tolerance": 0.25, "in_scattering": "segment", "shadow": "trace", "light_grid": 32,
-    "storage": "u8", "light_samples": 16, "roulette": 0.25, "max_depth": 3, "seed": 7, "max_error": 0.01,
+    "storage": "u8", "light_picks": 16, "light_samples": 4, "light_points": "centroid", "roulette": 0.25, "max_depth": 3, "seed": 7, "max_error": 0.01,
     "error_metric": "display"}
 })";
 

@@ -78,8 +78,8 @@ Json material_json(const MaterialDesc& m, const Folder& folder) {
             {"reflection", number(m.reflection)},
             {"refraction", number(m.refraction)},
             {"ior", number(m.ior)},
-            {"emission", vec(m.emission)},
-            {"light", m.is_light}};
+            {"emission", vec(m.emission)}};
+  if (!m.is_light) json["light"] = false;
   if (!m.texture) return json;
   if (m.texture->type == TEXTURE_IMAGE)
     json["texture"] = path_text(m.texture->file, folder);

@@ -22,7 +22,7 @@ static inline float2 emitter_choice(const Light* light, Random random, float2 mi
 
 #if BRUME_TRIANGLES
 static inline ShapePlace triangle_emit(const Scene* scene, const Light* light, float3 from, Random random,
-                                        float3* radiance) {
+                                       float3* radiance) {
   const Triangle t = scene->triangles[light->primitive - FIRST_TRIANGLE];
   const float2 xi = emitter_choice(light, random, (float2)(4.0f / 9.0f, 0.5f));
   const float root = sqrt(xi.x), u = root * (1.0f - xi.y), v = root * xi.y, w = 1.0f - root;  // evenly [Turk90]

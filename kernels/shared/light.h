@@ -1,7 +1,7 @@
 // Lights. E is the irradiance at normal incidence: intensity/d² (inverse_square), intensity (none) or
 // the irradiance itself (directional).
-// A light of the scene file has no extent. A surface whose material emits is a light too; each of the points at which it
-// is asked is a Light of its own (RenderPlan::lights).
+// A light of the scene file has no extent. A surface whose material emits is a light too; each of the points at which
+// it is asked is a Light of its own (RenderPlan::lights).
 #ifndef BRUME_SHARED_LIGHT_H
 #define BRUME_SHARED_LIGHT_H
 #include "shared/platform.h"

@@ -20,7 +20,7 @@ inline const char* const SCENE_FULL = R"({
      "falloff": "inverse_square", "angle": 20, "softness": 0.25}],
   "materials": {
     "a [1, 2]": {"model": "phong", "ambient": [0.1, 0.2, 0.3], "diffuse": [0.4, 0.5, 0.6], "specular": [0.7, 0.8, 0.9],
-      "shininess": 12, "reflection": 0, "refraction": 0, "ior": 1.25, "emission": [1, 2, 3], "texture": "maps/wood [1, 2].png"},
+      "shininess": 12, "reflection": 0, "refraction": 0, "ior": 1.25, "emission": [1, 2, 3], "light": false, "texture": "maps/wood [1, 2].png"},
     "b": {"model": "blinn_phong", "ambient": [0, 0, 0], "diffuse": [1, 1, 1], "specular": [0, 0, 0], "shininess": 50,
       "reflection": 0, "refraction": 0, "ior": 1.5, "emission": [0, 0, 0],
       "texture": {"type": "checker", "colors": [[1, 0, 0], [0, 1, 0]], "scale": 8}}},

@@ -219,6 +219,15 @@ constexpr SceneText SCENES[] = {
     {"type": "quad", "corner": [-2, -0.8, -2], "u": [0, 0, 4], "v": [4, 0, 0]}],
   "media": [{"bounds": [[-1, -0.7, -1], [1, 0.9, 1]], "density": {"type": "constant", "value": 0.6}, "sigma_a": 0.2, "sigma_s": 0.5}],
   "render": {"light_points": "centroid"}})"},
+    {"occlusion", R"({
+  "camera": {"eye": [0.6, 1.5, 3.6], "target": [0, 0, 0], "vfov": 42}, "film": {"spp": 2}, "background": [0.1, 0.2, 0.3],
+  "materials": {"checker": {"texture": {"type": "checker", "scale": 3}, "reflection": 0.5}},
+  "shapes": [
+    {"type": "sphere", "center": [-0.4, 0, 0.3], "radius": 0.5, "material": "checker"},
+    {"type": "cylinder", "base": [0.9, -0.6, 0.4], "top": [1.1, 0.3, 0.3], "radius": 0.15},
+    {"type": "triangle", "vertices": [[-1.2, 0.1, -0.9], [0.9, 0, -1], [-0.9, 0.9, -0.8]]},
+    {"type": "quad", "corner": [-2, -0.8, -2], "u": [0, 0, 4], "v": [4, 0, 0], "material": "checker"}],
+  "render": {"integrator": "ambient_occlusion", "directions": 24, "distance": 1.2}})"},
     {"adaptive_media", R"({
   "camera": {"eye": [1.4, 1, 3], "target": [0, 0, 0], "vfov": 45}, "background": [0.1, 0.1, 0.1],
   "lights": [{"type": "directional", "direction": [-1, -1, -0.4], "irradiance": [3, 3, 3]},

@@ -87,7 +87,7 @@ void plan_lights(const SceneDesc& desc, const FlatScene& scene, RenderPlan& plan
                                       [](const Light& l) { return l.type == LIGHT_SURFACE; });
   const double asked = double(sources) + double(surfaces) * std::max(points - 1, 0);
   if (all && asked > LIGHT_PICKS_MAX) too_many(desc, points > 1 ? "light_samples" : "light_picks", asked);
-  points_spread(scene.light_sources, points, plan);
+  if (render.integrator != INTEGRATOR_AMBIENT_OCCLUSION) points_spread(scene.light_sources, points, plan);
   plan.frame.light_count = static_cast<int>(plan.lights.size());
   plan.frame.light_picks = all ? plan.frame.light_count : picks;
   shares_fill(plan);

@@ -33,12 +33,6 @@ Place quad_place(const Shape& shape, const dvec2& xi) {
           glm::length(glm::cross(sides[0], sides[1]))};
 }
 
-// Two unit vectors at right angles to a third [Duff17, listing 3].
-std::array<dvec3, 2> beside(const dvec3& n) {
-  const double sign = std::copysign(1.0, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
-  return {dvec3(1 + sign * n.x * n.x * a, sign * b, -sign * n.x), dvec3(b, sign + n.y * n.y * a, -n.y)};
-}
-
 struct Seen {
   dvec3 point;
   double solid;
@@ -55,7 +49,7 @@ Seen sphere_seen(const Shape& shape, const dvec3& from, const dvec2& xi) {
   }
   const double widest = std::asin(radius / distance), wide = 2 * std::pow(std::sin(widest / 2), 2);
   const double angle = 2 * std::asin(std::sqrt(xi.x * wide / 2));
-  const auto side = beside(to / distance);
+  const auto side = vec_beside(to / distance);
   const dvec3 dir =
       std::cos(angle) * to / distance + std::sin(angle) * (std::cos(turn) * side[0] + std::sin(turn) * side[1]);
   // by the sine rule: the angle at the place between the way and the radius

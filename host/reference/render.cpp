@@ -41,6 +41,30 @@ Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& 
   return lit;
 }
 
+// 1/π ∫ V cosθ over the spiral of Fibonacci.
+Lit ambient_occlusion(const Context& context, const SurfaceD& surface, const RandomStream& random) {
+  const Frame& frame = context.scene.frame;
+  const uint golden = 2654435769u, width = static_cast<uint>(frame.camera.width);
+  const uint first = frame.occlusion_rotates ? random.pixel % width * 3242174889u + random.pixel / width * 2447445414u +
+                                                   random.sample * golden
+                                             : 0u;
+  const auto side = vec_beside(surface.normal);
+  double open = 0;
+  Lit lit{};
+  for (int i = 0; i < frame.directions; ++i) {
+    const double cosine = 1 - (2 * i + 1) / (2.0 * frame.directions), sine = std::sqrt(1 - cosine * cosine);
+    const double angle = 2 * M_PI * ((first + static_cast<uint>(i) * golden) >> 8) * 0x1p-24;
+    const dvec3 dir = cosine * surface.normal + sine * (std::cos(angle) * side[0] + std::sin(angle) * side[1]);
+    const bool sees =
+        glm::dot(dir, surface.geometric_normal) > 0 &&
+        !occluded(context.scene, context.bounds, {surface_leave(surface, dir), dir}, double(frame.occlusion_reach));
+    if (sees) open += cosine;
+    lit.lights = lit.lights * 31u + sees;
+  }
+  lit.radiance = dvec3(2 * open / frame.directions);
+  return lit;
+}
+
 uint sample_key(int primitive, uint lit, uint shadow_key, int second) {
   return static_cast<uint>(primitive) * 0x9E3779B1u + lit * 0x85EBCA6Bu + shadow_key * 0xC2B2AE35u +
          static_cast<uint>(second) * 0x27D4EB2Fu;
@@ -180,15 +204,16 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
     return sample;
   }
   const SurfaceD surface = surface_at(scene, ray, hit);
-  const Lit lit = surface_light(context, surface, ray.dir, random, sample.lookups);
+  const Lit lit = scene.frame.directions > 0 ? ambient_occlusion(context, surface, random)
+                                             : surface_light(context, surface, ray.dir, random, sample.lookups);
   sample.normal = surface.normal;
   sample.depth = hit.t;
   sample.hits = 1;
   sample.radiance = media.radiance + sample.transmittance * lit.radiance;
   sample.error = error_of(media, sample.transmittance * lit.radiance, path.weight);
-  sample.key =
-      sample_key(hit.primitive, lit.lights, walked(context, media.shadow_key, sample.lookups), surface.second) *
-      static_cast<uint>(2 * path.depth + 1);
+  sample.key = sample_key(hit.primitive, lit.lights, walked(context, media.shadow_key, sample.lookups),
+                          scene.frame.directions > 0 ? 0 : surface.second) *
+               static_cast<uint>(2 * path.depth + 1);
   specular_add(context, surface, ray, path, sample);
   return sample;
 }

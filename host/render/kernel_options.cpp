@@ -54,6 +54,7 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
       {"TRIANGLES", !s.triangles.empty(), 1, "triangles"},
       {"TEXTURED", !s.textures.empty(), 1, "textures"},
       {"SPECULAR", scene_is_specular(s), 1, "mirrors and glass"},
+      {"AMBIENT_OCCLUSION", plan.frame.directions > 0, 1, "ambient occlusion"},
       {"LIGHTS_CHOSEN", plan.frame.light_picks < plan.frame.light_count, 1, "lights chosen at random"},
       {"LIGHTS_USED", lights, all_bits(LIGHT_TYPES), "lights"},
   };

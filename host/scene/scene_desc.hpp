@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "shared/camera.h"
+#include "shared/frame.h"
 #include "shared/light.h"
 #include "shared/material.h"
 #include "shared/method.h"
@@ -166,6 +167,10 @@ enum ErrorMetric {
 };
 
 struct RenderDesc {
+  int integrator = INTEGRATOR_WHITTED;
+  int directions = 64;             // of ambient occlusion, as the next two
+  std::optional<double> distance;  // what is further off does not occlude
+  bool rotate = true;              // the directions, from pixel to pixel
   int method = METHOD_AUTO;
   double step = 0.05;       // share of the medium's longest side
   double tolerance = 1e-3;  // of adaptive: how far off a pixel may be, as a share of its light

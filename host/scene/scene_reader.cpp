@@ -17,6 +17,7 @@ constexpr int LIGHT_GRID_MAX = 1024;
 
 constexpr std::size_t FILE_BYTES_MAX = 64u << 20;
 constexpr int FILM_SIDE_MAX = 65536;
+constexpr int DIRECTIONS_MAX = 1 << 16;
 constexpr double STEPS_MAX = 1e5;        // along the medium's longest side
 constexpr double INTENSITY_MAX = 1e100;  // W/sr of a light inverse to the square of a distance that may itself be 1e38
 
@@ -59,6 +60,10 @@ RenderDesc read_render(const JsonValue& scene) {
   RenderDesc r;
   if (!scene.has("render")) return r;
   const JsonValue render = scene.get("render");
+  r.integrator = render.member("integrator", r.integrator, integrator_family(), "integrator");
+  r.directions = render.integer("directions", r.directions, 1, DIRECTIONS_MAX);
+  if (render.has("distance")) r.distance = render.get("distance").as_number(Range::positive());
+  r.rotate = render.flag("rotate", r.rotate);
   r.method = read_method(render, r.method);
   r.step = read_step(render, r.step);
   r.tolerance = read_tolerance(render, r.tolerance);
@@ -170,6 +175,10 @@ SceneDesc scene_read_text(std::string_view text, const std::filesystem::path& as
   desc.media = read_media(scene, folder);
   desc.render = read_render(scene);
   scene.refuse_unread();
+  if (desc.render.integrator == INTEGRATOR_AMBIENT_OCCLUSION) {  // it knows neither
+    desc.lights.clear();
+    desc.media.clear();
+  }
   return desc;
 }
 

@@ -161,6 +161,12 @@ Json render_json(const RenderDesc& r) {
             {"roulette", r.roulette},
             {"max_depth", r.max_depth},
             {"seed", r.seed}};
+  if (r.integrator == INTEGRATOR_AMBIENT_OCCLUSION) {
+    json["integrator"] = family_name(integrator_family(), r.integrator);
+    json["directions"] = r.directions;
+    if (r.distance) json["distance"] = number(*r.distance);
+    json["rotate"] = r.rotate;
+  }
   if (r.light_picks != LIGHT_PICKS_AUTO) json["light_picks"] = r.light_picks;
   if (r.max_error) json["max_error"] = number(*r.max_error);
   if (r.time_budget) json["time_budget"] = number(*r.time_budget);

@@ -43,6 +43,7 @@ struct FlatScene {
   std::vector<float> texels;  // 3 per texel, linear RGB
 
   std::vector<Shape> shapes;
+  std::vector<Isosurface> isosurfaces;
   std::vector<Triangle> triangles;
   int bvh_width = 4;
   std::vector<float> bvh_nodes;  // layout: shared/bvh.h

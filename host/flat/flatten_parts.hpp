@@ -29,12 +29,22 @@ struct LoadedMedium {
 std::vector<LoadedMedium> load_media(const SceneDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes);
 void medium_bounds_add(const LoadedMedium& medium, Bounds& bounds);
 
+// An isosurface: its grid, placed as that of a medium.
+struct LoadedIsosurface {
+  LoadedMedium placed;
+  double iso;
+  std::string place;  // file and JSON pointer, for messages
+};
+LoadedIsosurface load_isosurface(const SceneDesc& desc, const ShapeDesc& shape, LoadedScene& loaded,
+                                 std::vector<std::string>& notes);
+
 struct LoadedMesh {
   const ShapeDesc* shape;
   Mesh mesh;
 };
 struct LoadedShapes {
   std::vector<const ShapeDesc*> analytic;
+  std::vector<LoadedIsosurface> isosurfaces;  // of those among them, in their order
   std::vector<LoadedMesh> meshes;   // single triangles too
   std::vector<int> first_material;  // per mesh: where its own materials begin in FlatScene::materials
   int default_material = 0;
@@ -49,7 +59,8 @@ void flatten_lights(const SceneDesc& desc, FlatScene& scene);
 void flatten_materials(const SceneDesc& desc, LoadedScene& loaded, LoadedShapes& shapes, FlatScene& scene);
 void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene);
 // needed_again: LoadedScene's; where nobody needs them again, grids give their memory back on the way.
-void flatten_media(const std::vector<LoadedMedium>& media, bool needed_again, FlatScene& scene);
+void flatten_media(const std::vector<LoadedMedium>& media, const std::vector<LoadedIsosurface>& isosurfaces,
+                   bool needed_again, FlatScene& scene);
 
 // Largest density of the medium, whose bricks are the last of the scene: those of the voxels from first_voxel on.
 float density_max(const Medium& medium, std::size_t first_voxel, const FlatScene& scene);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "reference/glass.hpp"
 #include "reference/phase.hpp"
 
 namespace brume::reference {
@@ -61,13 +62,14 @@ class LightRun {
     passed_[i] = dvec3(1);
     if (sample.distance == 0) return;
     const RayD shadow{ray_.at(points_[i].t), -sample.travel};
-    if (occluded(context_.scene, context_.bounds, shadow, sample.distance)) {
+    const dvec3 surfaces = light_passes(context_.scene, context_.bounds, shadow, sample.distance);
+    if (surfaces == dvec3(0)) {
       passed_[i] = dvec3(0);
       result_.shadow_key += static_cast<uint>(light_ + 1);
       return;
     }
     const uint stream = (i % 2 ? STREAM_LIGHT_END : STREAM_LIGHT) + static_cast<uint>(light_);
-    passed_[i] = transmittance_of(
+    passed_[i] = surfaces * transmittance_of(
         media_tau(context_, shadow, sample.distance, points_[i].random.child(stream), result_.lookups));
   }
 

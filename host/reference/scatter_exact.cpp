@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/glass.hpp"
 #include "reference/lit_steps.hpp"
 #include "reference/phase.hpp"
 
@@ -31,7 +32,7 @@ std::vector<bool> lit_at(const Context& context, const dvec3& point) {
   for (const Light& light : context.scene.lights) {
     const LightSample sample = light_at(light, point);
     lit.push_back(sample.shines() &&
-                  !occluded(context.scene, context.bounds, {point, -sample.travel}, sample.distance));
+                  light_passes(context.scene, context.bounds, {point, -sample.travel}, sample.distance) != dvec3(0));
   }
   return lit;
 }

@@ -54,6 +54,8 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
       {"TRIANGLES", !s.triangles.empty(), 1, "triangles"},
       {"TEXTURED", !s.textures.empty(), 1, "textures"},
       {"SPECULAR", scene_is_specular(s), 1, "mirrors and glass"},
+      {"CLEAR_SHADOWS", plan.frame.clear_shadows && scene_is_specular(s), 1, "light through glass"},
+      {"STARTS_INSIDE", static_cast<unsigned>(plan.frame.starts_inside), 1, "a camera inside of glass"},
       {"LIGHTS_CHOSEN", plan.frame.light_picks < plan.frame.light_count, 1, "lights chosen at random"},
       {"LIGHTS_USED", lights, all_bits(LIGHT_COUNT), "lights"},
   };

@@ -14,7 +14,7 @@ OUTLINED SurfaceResult surface_result(const Scene* scene, const Ray* ray, const 
   result.radiance =
       vec_pack(surface_lights(scene, &surface, &material, -vec_unpack(ray->dir), ray_random(ray), &result));
 #if BRUME_SPECULAR
-  if (sends) rays_send(ray, &surface, &material, vec_unpack(ray->weight) * transmittance, sent, &result);
+  if (sends) rays_send(scene, ray, &surface, &material, vec_unpack(ray->weight) * transmittance, sent, &result);
 #endif
   return result;
 }

@@ -2,6 +2,7 @@
 #ifndef BRUME_PATH_SURFACE_LIGHT_CL
 #define BRUME_PATH_SURFACE_LIGHT_CL
 #include "lights/lights.cl"
+#include "materials/glass.cl"
 #include "materials/material.cl"
 #include "media/tau.cl"
 
@@ -10,12 +11,13 @@ static inline float3 surface_light(const Scene* scene, const Surface* surface, c
                                    float3 to_viewer, LightPick pick, int n, Random random, SurfaceResult* result) {
   const LightSample light = light_sample(scene, pick.light, surface->point, random);
   const float3 to_light = -light.travel, from = surface_leave(surface, to_light);
-  if (!(dot(surface->normal, to_light) > 0.0f) || scene_occluded(scene, from, to_light, light.distance))
-    return (float3)(0.0f);
+  if (!(dot(surface->normal, to_light) > 0.0f)) return (float3)(0.0f);
+  const float3 passes = light_passes(scene, from, to_light, light.distance);
+  if (!(vec_max(passes) > 0.0f)) return (float3)(0.0f);
   result->lit |= 1u << (pick.light & 31);
   const float3 transmittance = media_transmittance(scene, from, to_light, light.distance,
                                                    random_stream(random, STREAM_LIGHT + (uint)n), &result->lookups);
-  return pick.weight * light.irradiance * transmittance *
+  return pick.weight * light.irradiance * passes * transmittance *
          material_reflect(material, diffuse, surface->normal, to_light, to_viewer);
 }
 

@@ -23,7 +23,10 @@ typedef struct {
       bounds_hi;         // a box about everything finite, where camera rays start; lo = hi: there is nothing finite
   int light_picks;       // how many lights a point asks: all, or fewer that it chooses by FlatScene::light_shares
   int hides_background;  // 1: camera rays see nothing where they hit nothing; mirrors and glass go on seeing it
+  float cutoff;          // rays whose light weighs less than this in every channel are not sent on
+  int clear_shadows;     // 1: light passes shapes that refract, straight on; 0: they block it
+  int starts_inside;     // 1: camera rays may begin inside of shapes that refract
 } Frame;
-BRUME_LAYOUT(Frame, 176);
+BRUME_LAYOUT(Frame, 188);
 BRUME_SHARED_END
 #endif

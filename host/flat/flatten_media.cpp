@@ -79,6 +79,7 @@ struct FlatDensity {
   int grid = -1;      // of FlatScene::grids
   double unit = 1;    // of the densities stored
   float largest = 0;  // in that unit
+  std::size_t first_brick = 0, bricks = 0;  // of the stored ones
 };
 
 // Grids already in bricks, by grid and interpolation: the padding depends on that.
@@ -105,6 +106,8 @@ FlatDensity density_flatten(const LoadedMedium& loaded, bool needed_again, FlatS
   }
   density.unit = densities_scale(medium, first_voxel, scene);
   density.largest = density_max(medium, first_voxel, scene);
+  density.first_brick = first_voxel / BRICK_VALUES;
+  density.bricks = scene.voxels.size() / BRICK_VALUES - density.first_brick;
   return density;
 }
 
@@ -170,9 +173,10 @@ void isosurface_flatten(const LoadedIsosurface& loaded, bool needed_again, FlatG
                      " is nowhere exceeded, the densities of the grid reach from 0 to " + number_text(largest) +
                      "; expected 0 < iso < " + number_text(largest));
   const Medium& m = density.medium;
-  scene.isosurfaces.push_back({affine(cells_from_flat(loaded.placed, scene)), m.lo,
-                               static_cast<float>(loaded.iso / density.unit), m.hi, m.brick_offset, m.cells_x,
-                               m.cells_y, m.cells_z, m.brick_nx, m.brick_ny, m.brick_nz});
+  const float iso = static_cast<float>(loaded.iso / density.unit);
+  scene.isosurfaces.push_back({affine(cells_from_flat(loaded.placed, scene)), m.lo, iso, m.hi, m.brick_offset,
+                               m.cells_x, m.cells_y, m.cells_z, m.brick_nx, m.brick_ny, m.brick_nz,
+                               iso_masks_append(density.first_brick, density.bricks, iso, scene)});
 }
 
 void medium_flatten(const LoadedMedium& loaded, bool needed_again, FlatGrids& grids, FlatScene& scene) {

@@ -38,6 +38,9 @@ struct LoadedIsosurface {
 LoadedIsosurface load_isosurface(const SceneDesc& desc, const ShapeDesc& shape, LoadedScene& loaded,
                                  std::vector<std::string>& notes);
 
+// The masks of an isosurface for the stored bricks from `first` on; returns Isosurface::masks.
+int iso_masks_append(std::size_t first, std::size_t bricks, float iso, FlatScene& scene);
+
 struct LoadedMesh {
   const ShapeDesc* shape;
   Mesh mesh;

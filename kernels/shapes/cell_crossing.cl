@@ -137,6 +137,11 @@ static inline float cell_crossing(const CellRay* cell, int* inside) {
   const int first = cell_above(cell, &c, 0.0f), known = *inside >= 0 ? *inside : first;
   *inside = first;
   if (first != known) return 0.0f;
+  // All of a cubic lies between its Bernstein coefficients: mostly they are of one side.
+  const float b1 = c.c0 + (1.0f / 3.0f) * c.c1, b2 = b1 + (1.0f / 3.0f) * (c.c1 + c.c2), b3 = (c.c0 + c.c1) + (c.c2 + c.c3);
+  const float least = fmin_ordered(fmin_ordered(c.c0, b1), fmin_ordered(b2, b3)),
+              most = fmax_ordered(fmax_ordered(c.c0, b1), fmax_ordered(b2, b3));
+  if (least > c.doubt || most < -c.doubt) return CROSSING_NONE;
   // The extremes; one that is no number is in no part of the way.
   const float root = sqrt(fmax(mad_exact(c.c2, c.c2, -3.0f * c.c3 * c.c1), 0.0f)), q = -(c.c2 + copysign(root, c.c2));
   const float e0 = q / (3.0f * c.c3), e1 = c.c1 / q;

@@ -1,5 +1,5 @@
-// The surface on which the density of a grid is iso. The ray goes through the bricks of the grid that hold iso, W cells
-// at a time; cells whose corners lie on both sides are looked into (cell_crossing.cl).
+// The surface on which the density of a grid is iso. The ray goes through the bricks of the grid that hold iso, cell by
+// cell; cells whose corners lie on both sides are looked into (cell_crossing.cl).
 #ifndef BRUME_SHAPES_ISOSURFACE_CL
 #define BRUME_SHAPES_ISOSURFACE_CL
 #include "density/dda.cl"
@@ -33,105 +33,54 @@ static inline Isosurface isosurface_of(const Scene* scene, const Shape* shape) {
   return scene->isosurfaces[(int)shape->data[0]];
 }
 
-// Up to W cells of one brick along the ray, where it goes through them, and their corners.
+// What of a ray through the grid does not change from brick to brick.
 typedef struct {
-  int count;
-  float begin[W], end[W];
-  float x[W], y[W], z[W];
-  float corner[8][W];
-  float low[W], high[W];  // of the corners
-} Cells;
+  MediumRay ray;
+  float iso;
+  __global const uint* masks;
+} IsoRay;
 
-// The next cells of the brick in which the walk stands.
-static inline void cells_next(Dda* d, Cells* out) {
+// A cell of the brick in which the walk stands, which the ray crosses from s to exit.
+static inline CellRay cell_load(const Scene* scene, const IsoRay* r, const Dda* d, float3 cell, float s, float exit) {
+  CellRay c;
+  __global const Voxel* voxels = scene->voxels + d->base + brick_stride((int)cell.x, (int)cell.y, (int)cell.z);
+  for (int i = 0; i < 4; ++i) {
+    float2 pair = LOAD2_VOXEL(voxels + brick_stride(0, i & 1, i >> 1));
+#if BRUME_STORAGE == 2
+    pair = (float2)(mad_exact(pair.x, d->part, d->zero), mad_exact(pair.y, d->part, d->zero));
+#endif
+    c.corner[2 * i] = pair.x;
+    c.corner[2 * i + 1] = pair.y;
+  }
+  c.iso = r->iso;
+  c.p = fmin(fmax(vec_point(r->ray.origin, r->ray.dir, s) - cell, 0.0f), 1.0f);
+  c.d = r->ray.dir * (exit - s);
+  return c;
+}
+
+// s of the first crossing in the brick in which the walk stands, or CROSSING_NONE. Only cells whose bit is set can hold
+// one; where the walk begins, on the border of the grid or within it, its side is asked.
+static inline float brick_crossing(const Scene* scene, const IsoRay* r, Dda* d, int* inside) {
+  __global const uint* mask = r->masks + d->number * ISO_MASK_WORDS;
+  axis_enter_brick(&d->x, r->ray.origin.x, r->ray.dir.x, d->s);
+  axis_enter_brick(&d->y, r->ray.origin.y, r->ray.dir.y, d->s);
+  axis_enter_brick(&d->z, r->ray.origin.z, r->ray.dir.z, d->s);
   DdaAxis x = d->x, y = d->y, z = d->z;
-  float s = d->s;
-  int n = 0;
-  while (n < W && s < d->brick_end) {
-    const float exit = fmin_ordered(fmin_ordered(x.cell_exit, y.cell_exit), fmin_ordered(z.cell_exit, d->brick_end));
-    out->begin[n] = s;
-    out->end[n] = exit;
-    out->x[n] = x.cell;
-    out->y[n] = y.cell;
-    out->z[n] = z.cell;
-    n += exit > s;
-    s = exit > s ? exit : s;
+  const float first = BRICK_CELLS * (x.brick + 8.0f * y.brick + 64.0f * z.brick), end = d->brick_end;
+  for (float s = d->s; s < end;) {
+    const float exit = fmin_ordered(fmin_ordered(x.cell_exit, y.cell_exit), fmin_ordered(z.cell_exit, end));
+    const int bit = (int)(x.cell + 8.0f * y.cell + 64.0f * z.cell - first);
+    if (((mask[bit >> 5] >> (bit & 31)) & 1u || s == 0.0f) && exit > s) {
+      const CellRay cell = cell_load(scene, r, d, (float3)(x.cell, y.cell, z.cell), s, exit);
+      const float u = cell_crossing(&cell, inside);
+      if (u >= 0.0f) return mad_exact(u, exit - s, s);
+    }
+    s = fmax_ordered(s, exit);
     axis_step_cell(&x, exit);
     axis_step_cell(&y, exit);
     axis_step_cell(&z, exit);
   }
-  out->count = n;
-  for (int i = n; i < W; ++i) {  // looks up the first, for nothing
-    out->x[i] = out->x[0];
-    out->y[i] = out->y[0];
-    out->z[i] = out->z[0];
-  }
-  d->x = x;
-  d->y = y;
-  d->z = z;
-  d->s = s;
-}
-
-static inline void cells_load(const Scene* scene, const Dda* d, Cells* cells) {
-  const intW sample = (intW)(d->base) + brick_stride(lanes_to_int(lanes_load(cells->x)), lanes_to_int(lanes_load(cells->y)),
-                                                     lanes_to_int(lanes_load(cells->z)));
-  floatW low = (floatW)(INFINITY), high = (floatW)(-INFINITY), a, b;
-  for (int i = 0; i < 4; ++i) {
-    voxels_gather2(scene->voxels + brick_stride(0, i & 1, i >> 1), sample, &a, &b);
-#if BRUME_STORAGE == 2
-    a = mad_exact(a, (floatW)(d->part), (floatW)(d->zero));
-    b = mad_exact(b, (floatW)(d->part), (floatW)(d->zero));
-#endif
-    lanes_store(a, cells->corner[2 * i]);
-    lanes_store(b, cells->corner[2 * i + 1]);
-    low = fmin_ordered(low, fmin_ordered(a, b));
-    high = fmax_ordered(high, fmax_ordered(a, b));
-  }
-  lanes_store(low, cells->low);
-  lanes_store(high, cells->high);
-}
-
-static inline CellRay cell_ray(const MediumRay* ray, const Cells* cells, int i, float iso) {
-  CellRay c;
-  for (int k = 0; k < 8; ++k) c.corner[k] = cells->corner[k][i];
-  c.iso = iso;
-  const float3 cell = (float3)(cells->x[i], cells->y[i], cells->z[i]);
-  c.p = fmin(fmax(vec_point(ray->origin, ray->dir, cells->begin[i]) - cell, 0.0f), 1.0f);
-  c.d = ray->dir * (cells->end[i] - cells->begin[i]);
-  return c;
-}
-
-// s of the first crossing in the cells, or CROSSING_NONE.
-static inline float cells_crossing(const MediumRay* ray, const Cells* cells, float iso, int* inside) {
-  const floatW low = lanes_load(cells->low), high = lanes_load(cells->high);
-  if (*inside == 0 && lanes_all(high <= (floatW)(iso))) return CROSSING_NONE;
-  if (*inside == 1 && lanes_all(low > (floatW)(iso))) return CROSSING_NONE;
-  for (int i = 0; i < cells->count; ++i) {
-    if (cells->low[i] <= iso && cells->high[i] > iso) {
-      const CellRay cell = cell_ray(ray, cells, i, iso);
-      const float u = cell_crossing(&cell, inside);
-      if (u >= 0.0f) return mad_exact(u, cells->end[i] - cells->begin[i], cells->begin[i]);
-      continue;
-    }
-    const int before = *inside;
-    *inside = cells->low[i] > iso;
-    if (before != *inside && before != SIDE_UNKNOWN) return cells->begin[i];
-  }
-  return CROSSING_NONE;
-}
-
-// The same of the brick in which the walk stands; afterwards it stands at its end.
-static inline float brick_crossing(const Scene* scene, const MediumRay* ray, Dda* d, float iso, int* inside) {
-  axis_enter_brick(&d->x, ray->origin.x, ray->dir.x, d->s);
-  axis_enter_brick(&d->y, ray->origin.y, ray->dir.y, d->s);
-  axis_enter_brick(&d->z, ray->origin.z, ray->dir.z, d->s);
-  while (d->s < d->brick_end) {
-    Cells cells;
-    cells_next(d, &cells);
-    cells_load(scene, d, &cells);
-    const float s = cells_crossing(ray, &cells, iso, inside);
-    if (s >= 0.0f) return s;
-  }
+  d->s = end;
   return CROSSING_NONE;
 }
 
@@ -143,13 +92,12 @@ static inline int brick_side(const Scene* scene, int entry, float iso) {
 }
 
 // s of the first crossing along the walk, or CROSSING_NONE.
-static inline float grid_crossing(const Scene* scene, const Medium* grid, const MediumRay* ray, float end, float iso,
-                                  int* inside) {
-  Dda d = dda_begin(grid, ray, 0.0f);
+static inline float grid_crossing(const Scene* scene, const Medium* grid, const IsoRay* r, float end, int* inside) {
+  Dda d = dda_begin(grid, &r->ray, 0.0f);
   for (int within = 1; within && d.s < end; within = dda_step_brick(grid, &d)) {
     const float exit = fmin(dda_brick_exit(&d), end);
     if (!(exit > d.s)) continue;
-    const int entry = dda_brick_entry(scene, grid, &d), side = brick_side(scene, entry, iso);
+    const int entry = dda_brick_entry(scene, grid, &d), side = brick_side(scene, entry, r->iso);
     if (side != SIDE_UNKNOWN) {
       const int before = *inside;
       *inside = side;
@@ -158,13 +106,14 @@ static inline float grid_crossing(const Scene* scene, const Medium* grid, const 
       continue;
     }
     d.brick_end = exit;
+    d.number = entry;
     d.base = brick_base(entry, (int)d.x.brick, (int)d.y.brick, (int)d.z.brick);
 #if BRUME_STORAGE == 2
     const float2 scale = brick_scale(scene, entry);
     d.zero = scale.x;
     d.part = scale.y;
 #endif
-    const float s = brick_crossing(scene, ray, &d, iso, inside);
+    const float s = brick_crossing(scene, r, &d, inside);
     if (s >= 0.0f) return s;
   }
   return CROSSING_NONE;
@@ -182,11 +131,12 @@ static inline float border_at(const Medium* grid, float3 p) {
 OUTLINED void isosurface_hit(const Scene* scene, const Shape* shape, int index, float3 origin, float3 dir, Hit* hit) {
   const Isosurface surface = isosurface_of(scene, shape);
   const Medium grid = isosurface_grid(&surface);
-  const MediumRay ray = medium_ray(&grid, origin, dir, INFINITY);
+  const IsoRay r = {medium_ray(&grid, origin, dir, INFINITY), surface.iso, scene->iso_masks + surface.masks};
+  const MediumRay ray = r.ray;
   if (!(ray.length > 0.0f) || !(ray.t_begin < hit->t)) return;
   const float end = fmin(ray.length, hit->t - ray.t_begin);
   int inside = ray.t_begin > 0.0f ? 0 : SIDE_UNKNOWN;
-  float s = grid_crossing(scene, &grid, &ray, end, surface.iso, &inside);
+  float s = grid_crossing(scene, &grid, &r, end, &inside);
   int border = s == 0.0f;
   if (s < 0.0f) {
     if (inside != 1 || !(end >= ray.length)) return;

@@ -23,7 +23,7 @@
                       F(uv_offset) F(base) F(gain) F(pad))                                                             \
   STRUCT(Shape, F(type) F(material) F(pad) F(data))                                                                    \
   STRUCT(Isosurface, F(cell_from_world) F(lo) F(iso) F(hi) F(brick_offset) F(cells_x) F(cells_y) F(cells_z)            \
-                         F(brick_nx) F(brick_ny) F(brick_nz))                                                          \
+                         F(brick_nx) F(brick_ny) F(brick_nz) F(masks))                                                 \
   STRUCT(Triangle, F(p) F(n) F(uv) F(material) F(shading))                                                             \
   STRUCT(BrickGrid, F(brick_offset) F(cells_x) F(cells_y) F(cells_z) F(brick_nx) F(brick_ny) F(brick_nz))              \
   STRUCT(PlacedGrid,                                                                                                   \

@@ -58,8 +58,12 @@ typedef struct {
   int brick_offset;
   int cells_x, cells_y, cells_z;
   int brick_nx, brick_ny, brick_nz;
+  int masks;  // of stored brick n: ISO_MASK_WORDS words of FlatScene::iso_masks from masks + n * ISO_MASK_WORDS on
 } Isosurface;
-BRUME_LAYOUT(Isosurface, 104);
+BRUME_LAYOUT(Isosurface, 108);
+
+// Bit (z * 8 + y) * 8 + x of a brick's mask: its cell (x, y, z) may hold iso, however the voxels are stored.
+#define ISO_MASK_WORDS 16
 
 enum TriangleShading { TRIANGLE_FLAT, TRIANGLE_PHONG };
 

@@ -23,8 +23,9 @@ struct Lit {
   uint lights = 0;  // bit i: light i (mod 32) reaches the surface
 };
 
-Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& view_dir, const RandomStream& random,
-                  double& lookups) {
+// `weight`: of what it scatters, in the sample.
+Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& view_dir, const dvec3& weight,
+                  const RandomStream& random, double& lookups) {
   const PlannedScene& scene = context.scene;
   const Material& material = scene.materials[static_cast<std::size_t>(surface.material)];
   Lit lit{surface.emission + vec_promote(material.ambient) * vec_promote(scene.frame.ambient)};
@@ -33,6 +34,8 @@ Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& 
     const RandomStream shadow = random.child(STREAM_LIGHT + n++);
     const dvec3 to_light = -light_at(scene.lights[pick.light], surface.point).travel;
     if (!(glm::dot(surface.normal, to_light) > 0)) continue;
+    const dvec3 scattered = weight * surface_reflect(scene, surface, view_dir, -to_light);
+    if (material.refraction > 0 && std::max({scattered.x, scattered.y, scattered.z}) < scene.frame.cutoff) continue;
     const dvec3 origin = surface_leave(surface, to_light);
     const Arrival arrival = light_arrival(context, pick.light, surface.point, origin, shadow, lookups);
     if (arrival.blocked) continue;
@@ -185,7 +188,7 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
     return sample;
   }
   const SurfaceD surface = surface_at(scene, ray, hit);
-  const Lit lit = surface_light(context, surface, ray.dir, random, sample.lookups);
+  const Lit lit = surface_light(context, surface, ray.dir, path.weight * sample.transmittance, random, sample.lookups);
   sample.normal = surface.normal;
   sample.depth = hit.t;
   sample.hits = 1;

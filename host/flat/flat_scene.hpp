@@ -41,6 +41,8 @@ struct FlatScene {
   std::vector<float> texels;  // 3 per texel, linear RGB
 
   std::vector<Shape> shapes;
+  std::vector<Isosurface> isosurfaces;
+  std::vector<uint> iso_masks;  // which cells of a brick each of them may cross
   std::vector<Triangle> triangles;
   int bvh_width = 4;
   std::vector<float> bvh_nodes;  // layout: shared/bvh.h

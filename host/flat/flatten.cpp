@@ -54,7 +54,7 @@ FlatScene scene_flatten(const SceneDesc& desc, LoadedScene& loaded, int bvh_widt
   flatten_materials(desc, loaded, shapes, scene);
   flatten_shapes(shapes, scene);
   flatten_emitters(desc, scene);
-  flatten_media(media, loaded.needed_again, scene);
+  flatten_media(media, shapes.isosurfaces, loaded.needed_again, scene);
   return scene;
 }
 

@@ -24,9 +24,12 @@ std::vector<Load> loads_of(const SceneDesc& desc) {
     list_density(medium.density, loads);
     if (medium.emission_density) list_density(*medium.emission_density, loads);
   }
-  for (const ShapeDesc& shape : desc.shapes)
+  for (const ShapeDesc& shape : desc.shapes) {
     if (const MeshDesc* mesh = std::get_if<MeshDesc>(&shape.geometry))
       loads.emplace_back([file = mesh->file](LoadedScene& loaded) { loaded.mesh(file); });
+    if (const IsosurfaceDesc* surface = std::get_if<IsosurfaceDesc>(&shape.geometry))
+      list_density(*surface->density, loads);
+  }
   for (const MaterialDesc& material : desc.materials)
     if (material.texture && !material.texture->file.empty())
       loads.emplace_back([file = material.texture->file](LoadedScene& loaded) { loaded.texture(file); });

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/glass.hpp"
 #include "reference/light_grid.hpp"
 #include "reference/scatter_exact.hpp"
 #include "reference/scatter_segments.hpp"
@@ -82,10 +83,11 @@ Arrival light_arrival(const Context& context, std::size_t index, const dvec3& po
   Arrival arrival{light_at(context.scene, light, point, places), false, dvec3(0)};
   if (arrival.light.distance == 0) return arrival;
   const RayD shadow{ray_origin, -arrival.light.travel};
-  arrival.blocked = occluded(context.scene, context.bounds, shadow, arrival.light.reach);
+  const dvec3 passes = light_passes(context.scene, context.bounds, shadow, arrival.light.reach);
+  arrival.blocked = passes == dvec3(0);
   if (arrival.blocked || !arrival.light.shines()) return arrival;
   const dvec3 tau = media ? *media : media_tau(context, shadow, arrival.light.distance, random, lookups);
-  arrival.irradiance = arrival.light.irradiance * transmittance_of(tau);
+  arrival.irradiance = passes * arrival.light.irradiance * transmittance_of(tau);
   return arrival;
 }
 

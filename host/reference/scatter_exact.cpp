@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/glass.hpp"
 #include "reference/lit_steps.hpp"
 #include "reference/phase.hpp"
 
@@ -30,7 +31,8 @@ std::vector<bool> lit_at(const Context& context, const dvec3& point, const Rando
   std::vector<bool> lit;
   for (const Light& light : context.scene.lights) {
     const LightSample sample = light_at(context.scene, light, point, random);
-    lit.push_back(sample.shines() && !occluded(context.scene, context.bounds, {point, -sample.travel}, sample.reach));
+    lit.push_back(sample.shines() &&
+                  light_passes(context.scene, context.bounds, {point, -sample.travel}, sample.reach) != dvec3(0));
   }
   return lit;
 }

@@ -9,9 +9,10 @@ namespace brume {
 
 namespace {
 
-// Whether kernels read brick_ranges: trackers for the rate of their collisions, voxels in bytes for their scale.
-bool reads_ranges(const RenderPlan& plan) {
-  return (plan.draws >> DRAWS_COLLISIONS) & 1u || plan.storage == STORAGE_U8;
+// Whether kernels read brick_ranges: trackers for the rate of their collisions, isosurfaces to leave bricks out, voxels
+// in bytes for their scale.
+bool reads_ranges(const FlatScene& flat, const RenderPlan& plan) {
+  return (plan.draws >> DRAWS_COLLISIONS) & 1u || plan.storage == STORAGE_U8 || !flat.isosurfaces.empty();
 }
 
 template <class T>
@@ -78,7 +79,7 @@ DeviceScene::Stored& DeviceScene::stored(const RenderPlan& plan) {
   if (!stored.voxels())
     stored.voxels = packs ? context_.buffer_over(name_of(SceneBuffer::voxels), stored.host->packed)
                           : context_.buffer_over(name_of(SceneBuffer::voxels), flat_.voxels);
-  if (reads_ranges(plan) && !stored.ranges())
+  if (reads_ranges(flat_, plan) && !stored.ranges())
     stored.ranges = upload(context_, name_of(SceneBuffer::ranges), packs ? stored.host->ranges : flat_.brick_ranges);
   return stored;
 }

@@ -93,4 +93,10 @@ const Family& negative_family() {
   return rows;
 }
 
+const Family& glass_shadow_family() {
+  static const Family rows{{GLASS_OPAQUE, "opaque", "shapes that refract block light"},
+                           {GLASS_CLEAR, "clear", "light passes them straight on, weakened"}};
+  return rows;
+}
+
 }  // namespace brume

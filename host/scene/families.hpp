@@ -24,5 +24,6 @@ const Family& shape_family();   // analytic shapes, triangle and mesh
 const Family& mesh_shading_family();
 const Family& level_set_family();
 const Family& negative_family();
+const Family& glass_shadow_family();
 
 }  // namespace brume

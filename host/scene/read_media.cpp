@@ -63,6 +63,8 @@ void read_values(const JsonValue& density, DensityDesc& d) {
   d.negative = density.member("negative", d.negative, negative_family(), "rule for negative densities");
 }
 
+}  // namespace
+
 DensityDesc read_density(const JsonValue& density, const std::filesystem::path& folder) {
   DensityDesc d;
   const DensityKeys& keys = DENSITIES[density.get("type").as_member(density_names(), "density")];
@@ -93,6 +95,8 @@ std::array<dvec3, 2> read_bounds(const JsonValue& bounds) {
     if (!(b[0][i] < b[1][i])) bounds.fail("expected the first corner below the second on every axis" + bounds.got());
   return b;
 }
+
+namespace {
 
 void read_phase(const JsonValue& phase, MediumDesc& m) {
   m.phase = phase.get("type").as_member(phase_family(), "phase function");

@@ -60,6 +60,8 @@ struct MaterialDesc {
   dvec3 ambient{0}, diffuse{0.5}, specular{0}, emission{0};
   double shininess = 50, reflection = 0, refraction = 0, ior = 1.5;
   bool is_light = true;  // where it emits: a light to all else
+  bool fresnel = false;  // shares the weights of both rays out between them
+  dvec3 absorption{0};   // per world unit, inside a shape that refracts
   std::optional<TextureDesc> texture;
 };
 
@@ -107,8 +109,16 @@ struct MeshDesc {
   TransformDesc transform;
 };
 
+struct DensityDesc;
+struct IsosurfaceDesc {
+  std::shared_ptr<DensityDesc> density;  // never null once it is read
+  double iso = 0.5;
+  std::optional<std::array<dvec3, 2>> bounds;  // as of a medium
+  TransformDesc transform;
+};
+
 struct ShapeDesc {
-  std::variant<SphereDesc, CylinderDesc, PlaneDesc, QuadDesc, BoxDesc, TriangleDesc, MeshDesc> geometry;
+  std::variant<SphereDesc, CylinderDesc, PlaneDesc, QuadDesc, BoxDesc, IsosurfaceDesc, TriangleDesc, MeshDesc> geometry;
   int material = -1;
   std::string place;  // JSON pointer, for messages of later stages
 };
@@ -154,6 +164,9 @@ inline constexpr int IN_SCATTERING_AUTO = -1;
 inline constexpr int SHADOW_AUTO = -1;
 inline constexpr int LIGHT_PICKS_AUTO = -1;
 
+// What shapes that refract do to the light of lights.
+enum GlassShadow { GLASS_OPAQUE, GLASS_CLEAR };
+
 // How far off a picture is, in one number. ROW(ID, name, help)
 #define BRUME_ERROR_METRICS(ROW)                                                            \
   ROW(REL_RMSE, "rel_rmse", "root of the mean squared error, over the mean of the picture") \
@@ -183,6 +196,8 @@ struct RenderDesc {
   int light_points = LIGHT_POINTS_STRATIFIED;
   double roulette = 0;  // transmittance below which view rays end at random; 0: never
   int max_depth = 5;
+  double cutoff = 1e-4;  // of the light of reflected and refracted rays: those that weigh less are dropped
+  int shadow_of_glass = GLASS_OPAQUE;
   int seed = 0;
   std::optional<double> max_error;    // settings of the media are chosen that reach it soonest, in error_metric,
   std::optional<double> time_budget;  // or that come closest in so many seconds; never both

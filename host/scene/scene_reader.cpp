@@ -80,6 +80,8 @@ RenderDesc read_render(const JsonValue& scene) {
   r.light_points = render.member("light_points", r.light_points, light_points_family(), "choice of points");
   r.roulette = render.number("roulette", r.roulette, Range::closed(0, 1));
   r.max_depth = render.integer("max_depth", r.max_depth, 0, 64);
+  r.cutoff = render.number("cutoff", r.cutoff, Range::closed(0, 1));
+  r.shadow_of_glass = render.member("shadow_of_glass", r.shadow_of_glass, glass_shadow_family(), "shadow of glass");
   r.seed = render.integer("seed", r.seed, 0, 0x7fffffff);
   const auto goal = [&](const char* key, std::optional<double>& value) {
     if (render.has(key) && !render.get(key).json().is_null()) value = render.get(key).as_number(Range::positive());

@@ -78,6 +78,8 @@ Json material_json(const MaterialDesc& m, const Folder& folder) {
             {"reflection", number(m.reflection)},
             {"refraction", number(m.refraction)},
             {"ior", number(m.ior)},
+            {"fresnel", m.fresnel},
+            {"absorption", vec(m.absorption)},
             {"emission", vec(m.emission)}};
   if (!m.is_light) json["light"] = false;
   if (!m.texture) return json;
@@ -89,6 +91,8 @@ Json material_json(const MaterialDesc& m, const Folder& folder) {
                        {"scale", number(m.texture->scale)}};
   return json;
 }
+
+Json density_json(const DensityDesc& d, const Folder& folder);
 
 struct GeometryJson {
   const Folder& folder;
@@ -106,6 +110,14 @@ struct GeometryJson {
   }
   Json operator()(const BoxDesc& b) const {
     return {{"type", "box"}, {"min", vec(b.min)}, {"max", vec(b.max)}, {"transform", transform_json(b.transform)}};
+  }
+  Json operator()(const IsosurfaceDesc& s) const {
+    Json json{{"type", "isosurface"},
+              {"density", density_json(*s.density, folder)},
+              {"iso", number(s.iso)},
+              {"transform", transform_json(s.transform)}};
+    if (s.bounds) json["bounds"] = {vec((*s.bounds)[0]), vec((*s.bounds)[1])};
+    return json;
   }
   Json operator()(const TriangleDesc& t) const {
     return {{"type", "triangle"}, {"vertices", {vec(t.vertices[0]), vec(t.vertices[1]), vec(t.vertices[2])}}};
@@ -160,6 +172,8 @@ Json render_json(const RenderDesc& r) {
             {"storage", family_name(storage_family(), r.storage)},
             {"roulette", r.roulette},
             {"max_depth", r.max_depth},
+            {"cutoff", number(r.cutoff)},
+            {"shadow_of_glass", family_name(glass_shadow_family(), r.shadow_of_glass)},
             {"seed", r.seed}};
   if (r.integrator == INTEGRATOR_AMBIENT_OCCLUSION) {
     json["integrator"] = family_name(integrator_family(), r.integrator);

@@ -68,6 +68,12 @@
 #ifndef BRUME_SPECULAR  // some material reflects or refracts
 #define BRUME_SPECULAR 1
 #endif
+#ifndef BRUME_CLEAR_SHADOWS  // light passes shapes that refract
+#define BRUME_CLEAR_SHADOWS 1
+#endif
+#ifndef BRUME_STARTS_INSIDE  // camera rays may begin inside of shapes that refract
+#define BRUME_STARTS_INSIDE 1
+#endif
 #ifndef BRUME_LIGHTS_USED  // bit LIGHT_x
 #define BRUME_LIGHTS_USED (-1)
 #endif

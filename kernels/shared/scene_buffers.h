@@ -20,6 +20,8 @@
   ROW(__global, Texture, textures, FLAT, textures, "textures") NEXT                                       \
   ROW(__global, float, texels, FLAT, texels, "texture pixels") NEXT                                       \
   ROW(__global, Shape, shapes, FLAT, shapes, "shapes") NEXT                                               \
+  ROW(__global, Isosurface, isosurfaces, FLAT, isosurfaces, "isosurfaces") NEXT                           \
+  ROW(__global, uint, iso_masks, FLAT, iso_masks, "cells of isosurfaces") NEXT                            \
   ROW(__global, Triangle, triangles, FLAT, triangles, "triangles") NEXT                                   \
   ROW(__global, float, bvh_nodes, FLAT, bvh_nodes, "BVH nodes") NEXT                                      \
   ROW(__global, int, bvh_links, FLAT, bvh_links, "BVH links") NEXT                                        \

@@ -76,6 +76,15 @@ void methods_tell(const SceneDesc& desc, const std::vector<MediumRow>& media, st
   notes.push_back("/render/method: '" + method_name(desc.render.method) + "' does not fit all media: " + others);
 }
 
+// What can be described but not rendered yet.
+void liquids_check(const SceneDesc& desc) {
+  for (const MediumDesc& m : desc.media)
+    if (m.type == MEDIUM_LIQUID)
+      throw InputError(desc.file.string() + ": " + m.place + "/model: '" +
+                       std::string(family_name(liquid_model_family(), m.liquid.model)) +
+                       "' is not available in this version");
+}
+
 }  // namespace
 
 int method_resolve(const SceneDesc& desc, const MediumDesc& m) {
@@ -100,6 +109,7 @@ bool takes_constant(const SceneDesc& desc, const MediumDesc& m) {
 }
 
 void media_check(const SceneDesc& desc, const std::vector<MediumRow>& media, std::vector<std::string>& notes) {
+  liquids_check(desc);
   methods_tell(desc, media, notes);
   light_grids_check(desc, media);
 }
@@ -107,6 +117,7 @@ void media_check(const SceneDesc& desc, const std::vector<MediumRow>& media, std
 std::vector<MediumRow> media_rows(const SceneDesc& desc) {
   std::vector<MediumRow> rows;
   for (const MediumDesc& m : desc.media) {
+    if (is_liquid(m, LIQUID_SURFACE)) continue;
     auto body = std::make_shared<MediumDesc>(m);
     if (m.emission_density) {  // a medium of its own that only glows
       auto glow = std::make_shared<MediumDesc>(m);

@@ -165,7 +165,7 @@ SceneDesc scene_read_text(std::string_view text, const std::filesystem::path& as
   desc.lights = read_lights(scene);
   desc.materials = read_materials(scene, folder);
   desc.shapes = read_shapes(scene, desc.materials, folder);
-  desc.media = read_media(scene, folder);
+  desc.media = read_media(scene, desc.materials, folder);
   desc.render = read_render(scene);
   scene.refuse_unread();
   return desc;

@@ -70,12 +70,14 @@ struct FlatDensity {
   int grid = -1;      // of FlatScene::grids
   double unit = 1;    // of the densities stored
   float largest = 0;  // in that unit
+  int gradients = 0;  // of a liquid: Liquid::gradients
 };
 
 // Grids already in bricks, by grid and interpolation: the padding depends on that.
 using FlatGrids = std::map<std::pair<const Grid*, int>, FlatDensity>;
 
 FlatDensity density_flatten(const LoadedMedium& loaded, bool needed_again, FlatScene& scene) {
+  const bool liquid = loaded.desc->type == MEDIUM_LIQUID;
   FlatDensity density{};
   Medium& medium = density.medium;
   medium.interpolation = loaded.desc->interpolation;
@@ -83,6 +85,7 @@ FlatDensity density_flatten(const LoadedMedium& loaded, bool needed_again, FlatS
   medium.is_constant = loaded.is_constant;
   medium.constant_density = static_cast<float>(loaded.constant);
   medium.hi = {1, 1, 1};
+  medium.liquid = liquid ? 0 : -1;
   const std::size_t first_voxel = scene.voxels.size();
   density.grid = -1;
   if (!loaded.is_constant) {
@@ -94,7 +97,10 @@ FlatDensity density_flatten(const LoadedMedium& loaded, bool needed_again, FlatS
     density.grid = static_cast<int>(scene.grids.size());
     scene.grids.push_back(brick_grid_of(medium));
   }
-  density.unit = densities_scale(medium, first_voxel, scene);
+  if (liquid)
+    density.gradients = gradient_bricks_append(medium, first_voxel, scene);
+  else
+    density.unit = densities_scale(medium, first_voxel, scene);
   density.largest = density_max(medium, first_voxel, scene);
   return density;
 }
@@ -126,6 +132,28 @@ int density_place(const FlatDensity& density, const LoadedMedium& loaded, FlatSc
   return static_cast<int>(scene.placed.size()) - 1;
 }
 
+// Of presences: flat units per voxel, a ramp over one voxel being the sharpest that is resolved.
+double voxel_size(const LoadedMedium& loaded, const FlatScene& scene) {
+  return std::cbrt(std::abs(glm::determinant(glm::dmat3(loaded.world_from_lattice)))) / scene.unit;
+}
+
+int liquid_flatten(const LoadedMedium& loaded, int gradients, FlatScene& scene) {
+  const MediumDesc& m = *loaded.desc;
+  if (!is_liquid(m, LIQUID_LOCAL_LIGHTING)) return -1;
+  const LiquidDesc& d = m.liquid;
+  Liquid liquid{};
+  liquid.diffuse = packed(d.light_intensity * d.albedo);
+  liquid.specular = packed(d.specular);
+  liquid.ambient = packed(d.ambient);
+  liquid.shininess = static_cast<float>(d.shininess);
+  liquid.outside = static_cast<float>(d.outside);
+  liquid.inside = static_cast<float>(d.inside);
+  liquid.rate = d.grazing_correction ? 0.0f : static_cast<float>(1 / voxel_size(loaded, scene));
+  liquid.gradients = gradients;
+  scene.liquids.push_back(liquid);
+  return static_cast<int>(scene.liquids.size()) - 1;
+}
+
 // `per`: flat units of length, units of density.
 MediumBody body_flatten(const LoadedMedium& loaded, int placed, double per) {
   const MediumDesc& d = *loaded.desc;
@@ -143,7 +171,9 @@ void medium_flatten(const LoadedMedium& loaded, bool needed_again, FlatGrids& gr
   const auto known = loaded.is_constant ? grids.end() : grids.find(key);
   const FlatDensity density = known != grids.end() ? known->second : density_flatten(loaded, needed_again, scene);
   if (!loaded.is_constant) grids[key] = density;
-  scene.media.push_back(body_flatten(loaded, density_place(density, loaded, scene), scene.unit * density.unit));
+  MediumBody body = body_flatten(loaded, density_place(density, loaded, scene), scene.unit * density.unit);
+  body.liquid = liquid_flatten(loaded, density.gradients, scene);
+  scene.media.push_back(body);
   scene.sizes.push_back({loaded.desc->place, medium_longest(loaded) / scene.unit, density.largest});
 }
 

@@ -16,6 +16,7 @@ bool density_is_constant(const DensityDesc& d) {
 
 // What a method must fit for this medium: FITS_x bits, any of which will do.
 int medium_fits(const MediumDesc& m) {
+  if (m.type == MEDIUM_LIQUID) return FITS_PRESENCE;
   return (m.interpolation == INTERPOLATION_NEAREST ? FITS_NEAREST : FITS_TRILINEAR) |
          (density_is_constant(m.density) ? FITS_CONSTANT : 0);
 }
@@ -28,6 +29,7 @@ std::string methods_that_fit(int fits) {
 }
 
 int method_exact(const MediumDesc& m) {
+  if (m.type == MEDIUM_LIQUID) return method_exact_of(FITS_PRESENCE);
   if (m.density.type == "constant") return method_exact_of(FITS_CONSTANT);
   return method_exact_of(m.interpolation == INTERPOLATION_NEAREST ? FITS_NEAREST : FITS_TRILINEAR);
 }
@@ -79,7 +81,7 @@ void methods_tell(const SceneDesc& desc, const std::vector<MediumRow>& media, st
 // What can be described but not rendered yet.
 void liquids_check(const SceneDesc& desc) {
   for (const MediumDesc& m : desc.media)
-    if (m.type == MEDIUM_LIQUID)
+    if (is_liquid(m, LIQUID_SURFACE))
       throw InputError(desc.file.string() + ": " + m.place + "/model: '" +
                        std::string(family_name(liquid_model_family(), m.liquid.model)) +
                        "' is not available in this version");

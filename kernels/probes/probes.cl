@@ -5,6 +5,7 @@
 #include "materials/material.cl"
 #include "materials/surface.cl"
 #include "media/scatter.cl"
+#include "passes/presence_gradients.cl"
 #include "shared/aov.h"
 #include "shared/layout.h"
 
@@ -114,7 +115,7 @@ PROBE(probe_segments) {
   const MediumRay ray = medium_ray(&medium, probe_load3(v + 1), probe_load3(v + 4), v[7]);
   for (int i = 0; i < 2 * PROBE_SEGMENTS; ++i) o[i] = 0.0f;
   if (!(ray.length > 0.0f)) return;
-  Walk walk = walk_begin(&medium, &ray, random_begin(frame, item, 0), WALK_SCATTERS);
+  Walk walk = walk_begin(&scene, &medium, &ray, random_begin(frame, item, 0), WALK_SCATTERS);
   Segments at;
   int n = 0;
   for (walk_next(&scene, &medium, &ray, &walk, &at); at.count > 0; walk_next(&scene, &medium, &ray, &walk, &at)) {

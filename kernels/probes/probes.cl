@@ -7,6 +7,7 @@
 #include "media/scatter.cl"
 #include "passes/presence_gradients.cl"
 #include "shared/aov.h"
+#include "shapes/cell_crossing.cl"
 #include "shared/layout.h"
 
 #define PROBE(name) __kernel void name(SCENE_ARGS, uint count, __global const float* in, __global float* out)
@@ -84,6 +85,20 @@ PROBE(probe_surface) {
   probe_store3(s.normal, out + 8 * item + 3);
   out[8 * item + 6] = s.uv.x;
   out[8 * item + 7] = s.uv.y;
+}
+
+// in: 8 corners of a cell, iso, where a ray enters it, the way to where it leaves it. out: where it crosses the surface
+// first as a share of that way, else -1
+PROBE(probe_cell) {
+  PROBE_ITEM;
+  __global const float* v = in + 15 * item;
+  CellRay cell;
+  for (int i = 0; i < 8; ++i) cell.corner[i] = v[i];
+  cell.iso = v[8];
+  cell.p = probe_load3(v + 9);
+  cell.d = probe_load3(v + 12);
+  int inside = -1;
+  out[item] = cell_crossing(&cell, &inside);
 }
 
 // in: texture as bits, u, v. out: color, 1 in the second color of a checker or beside an image that is shown once

@@ -20,9 +20,9 @@ inline const char* const SCENE_FULL = R"({
      "falloff": "inverse_square", "angle": 20, "softness": 0.25}],
   "materials": {
     "a [1, 2]": {"model": "phong", "ambient": [0.1, 0.2, 0.3], "diffuse": [0.4, 0.5, 0.6], "specular": [0.7, 0.8, 0.9],
-      "shininess": 12, "reflection": 0, "refraction": 0, "ior": 1.25, "emission": [1, 2, 3], "texture": "maps/wood [1, 2].png"},
+      "shininess": 12, "reflection": 0, "refraction": 0, "ior": 1.25, "fresnel": true, "absorption": [0.5, 0.25, 2], "emission": [1, 2, 3], "texture": "maps/wood [1, 2].png"},
     "b": {"model": "blinn_phong", "ambient": [0, 0, 0], "diffuse": [1, 1, 1], "specular": [0, 0, 0], "shininess": 50,
-      "reflection": 0, "refraction": 0, "ior": 1.5, "emission": [0, 0, 0],
+      "reflection": 0, "refraction": 0, "ior": 1.5, "fresnel": false, "absorption": [0, 0, 0], "emission": [0, 0, 0],
       "texture": {"type": "checker", "colors": [[1, 0, 0], [0, 1, 0]], "scale": 8}}},
   "shapes": [
     {"type": "sphere", "center": [1, 2, 3], "radius": 0.5, "material": "b"},
@@ -31,6 +31,8 @@ inline const char* const SCENE_FULL = R"({
     {"type": "quad", "corner": [1, 1, 1], "u": [2, 0, 0], "v": [0, 0, 3]},
     {"type": "box", "min": [0, 1, 2], "max": [3, 4, 5], "transform": [{"rotate": [0, 1, 0, 30]}, {"scale": [1, 2, -3]}]},
     {"type": "triangle", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]},
+    {"type": "isosurface", "density": {"type": "linear", "resolution": [4, 4, 4]}, "iso": 0.25,
+     "bounds": [[-1, -2, -3], [1, 2, 3]], "transform": [{"scale": [2, 2, 2]}], "material": "b"},
     {"type": "mesh", "file": "../models/bunny.obj", "shading": "flat", "crease": 60.5, "transform": [{"translate": [0, 1.5, 0]}]}],
   "media": [
     {"type": "participating", "bounds": [[-1, -2, -3], [1, 2, 3]], "transform": [{"scale": [2, 2, 2]}], "interpolation": "nearest",
@@ -55,7 +57,7 @@ inline const char* const SCENE_FULL = R"({
     {"type": "liquid", "model": "surface", "interpolation": "trilinear", "presence": "clamp", "iso": 0.75, "material": "b",
      "density": {"type": "constant", "resolution": [4, 4, 4], "value": 1}, "sigma_a": [3, 2, 1]}],
   "render": {"method": "march_midpoint", "step": 0.125, "tolerance": 0.25, "in_scattering": "segment", "shadow": "trace", "light_grid": 32,
-    "storage": "u8", "light_samples": 16, "roulette": 0.25, "max_depth": 3, "seed": 7, "max_error": 0.01,
+    "storage": "u8", "light_samples": 16, "roulette": 0.25, "max_depth": 3, "cutoff": 0.25, "shadow_of_glass": "clear", "seed": 7, "max_error": 0.01,
     "error_metric": "display"}
 })";
 

@@ -235,7 +235,7 @@ int picture_make(const RenderArguments& arguments, const Prepared& prepared, Con
   PictureError error;
   const auto write = [&](bool complete) {
     const std::size_t known = notes.size();
-    if (renderer.stats().dropped_rays > 0) notes.push_back(dropped_note(renderer.stats()));
+    if (dropped_count(renderer.stats())) notes.push_back(dropped_note(renderer.stats(), flat.frame.cutoff));
     if (renderer.stats().invalid_samples > 0) notes.push_back(invalid_note(renderer.stats()));
     if (const std::string note = goal_missed_note(desc.render, error.witness); !note.empty()) notes.push_back(note);
     for (std::size_t i = known; i < notes.size(); ++i) say(arguments, "note: " + notes[i]);

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <map>
+#include <tuple>
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
@@ -80,12 +81,15 @@ struct FlatDensity {
   double unit = 1;                          // of the densities stored
   float largest = 0;                        // in that unit
   std::size_t first_brick = 0, bricks = 0;  // of the stored ones
+  int gradients = 0;                        // of a liquid: Liquid::gradients
 };
 
-// Grids already in bricks, by grid and interpolation: the padding depends on that.
-using FlatGrids = std::map<std::pair<const Grid*, int>, FlatDensity>;
+// Grids already in bricks, by grid, interpolation (the padding depends on that) and type of the medium (a liquid has
+// gradients).
+using FlatGrids = std::map<std::tuple<const Grid*, int, int>, FlatDensity>;
 
 FlatDensity density_flatten(const LoadedMedium& loaded, bool needed_again, FlatScene& scene) {
+  const bool liquid = loaded.desc->type == MEDIUM_LIQUID;
   FlatDensity density{};
   Medium& medium = density.medium;
   medium.interpolation = loaded.desc->interpolation;
@@ -93,6 +97,7 @@ FlatDensity density_flatten(const LoadedMedium& loaded, bool needed_again, FlatS
   medium.is_constant = loaded.is_constant;
   medium.constant_density = static_cast<float>(loaded.constant);
   medium.hi = {1, 1, 1};
+  medium.liquid = liquid ? 0 : -1;
   const std::size_t first_voxel = scene.voxels.size();
   density.grid = -1;
   if (!loaded.is_constant) {
@@ -104,7 +109,10 @@ FlatDensity density_flatten(const LoadedMedium& loaded, bool needed_again, FlatS
     density.grid = static_cast<int>(scene.grids.size());
     scene.grids.push_back(brick_grid_of(medium));
   }
-  density.unit = densities_scale(medium, first_voxel, scene);
+  if (liquid)
+    density.gradients = gradient_bricks_append(medium, first_voxel, scene);
+  else
+    density.unit = densities_scale(medium, first_voxel, scene);
   density.largest = density_max(medium, first_voxel, scene);
   density.first_brick = first_voxel / BRICK_VALUES;
   density.bricks = scene.voxels.size() / BRICK_VALUES - density.first_brick;
@@ -145,6 +153,28 @@ int density_place(const FlatDensity& density, const LoadedMedium& loaded, FlatSc
   return static_cast<int>(scene.placed.size()) - 1;
 }
 
+// Of presences: flat units per voxel, a ramp over one voxel being the sharpest that is resolved.
+double voxel_size(const LoadedMedium& loaded, const FlatScene& scene) {
+  return std::cbrt(std::abs(glm::determinant(glm::dmat3(loaded.world_from_lattice)))) / scene.unit;
+}
+
+int liquid_flatten(const LoadedMedium& loaded, int gradients, FlatScene& scene) {
+  const MediumDesc& m = *loaded.desc;
+  if (!is_liquid(m, LIQUID_LOCAL_LIGHTING)) return -1;
+  const LiquidDesc& d = m.liquid;
+  Liquid liquid{};
+  liquid.diffuse = packed(d.light_intensity * d.albedo);
+  liquid.specular = packed(d.specular);
+  liquid.ambient = packed(d.ambient);
+  liquid.shininess = static_cast<float>(d.shininess);
+  liquid.outside = static_cast<float>(d.outside);
+  liquid.inside = static_cast<float>(d.inside);
+  liquid.rate = d.grazing_correction ? 0.0f : static_cast<float>(1 / voxel_size(loaded, scene));
+  liquid.gradients = gradients;
+  scene.liquids.push_back(liquid);
+  return static_cast<int>(scene.liquids.size()) - 1;
+}
+
 // `per`: flat units of length, units of density.
 MediumBody body_flatten(const LoadedMedium& loaded, int placed, double per) {
   const MediumDesc& d = *loaded.desc;
@@ -160,7 +190,7 @@ MediumBody body_flatten(const LoadedMedium& loaded, int placed, double per) {
 // Of media and isosurfaces that show the same grid, the bricks of the first.
 FlatDensity density_once(const LoadedMedium& loaded, bool needed_again, FlatGrids& grids, FlatScene& scene) {
   if (loaded.is_constant) return density_flatten(loaded, needed_again, scene);
-  const auto key = std::make_pair(loaded.grid.get(), loaded.desc->interpolation);
+  const auto key = std::make_tuple(loaded.grid.get(), loaded.desc->interpolation, int(loaded.desc->type));
   const auto known = grids.find(key);
   return known != grids.end() ? known->second : grids[key] = density_flatten(loaded, needed_again, scene);
 }
@@ -181,7 +211,9 @@ void isosurface_flatten(const LoadedIsosurface& loaded, bool needed_again, FlatG
 
 void medium_flatten(const LoadedMedium& loaded, bool needed_again, FlatGrids& grids, FlatScene& scene) {
   const FlatDensity density = density_once(loaded, needed_again, grids, scene);
-  scene.media.push_back(body_flatten(loaded, density_place(density, loaded, scene), scene.unit * density.unit));
+  MediumBody body = body_flatten(loaded, density_place(density, loaded, scene), scene.unit * density.unit);
+  body.liquid = liquid_flatten(loaded, density.gradients, scene);
+  scene.media.push_back(body);
   scene.sizes.push_back({loaded.desc->place, medium_longest(loaded) / scene.unit, density.largest});
 }
 

@@ -29,6 +29,9 @@ struct LoadedMedium {
 std::vector<LoadedMedium> load_media(const SceneDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes);
 void medium_bounds_add(const LoadedMedium& medium, Bounds& bounds);
 
+// The scene with an isosurface for every liquid of that model.
+SceneDesc liquids_as_shapes(const SceneDesc& desc);
+
 // An isosurface: its grid, placed as that of a medium.
 struct LoadedIsosurface {
   LoadedMedium placed;

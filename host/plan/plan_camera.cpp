@@ -93,7 +93,9 @@ void plan_camera(const SceneDesc& desc, const FlatScene& scene, Frame& frame) {
   }
   frame.cutoff = static_cast<float>(desc.render.cutoff);
   frame.starts_inside = starts_inside(c, scene);
-  frame.clear_shadows = desc.render.shadow_of_glass == GLASS_CLEAR;
+  const bool water = std::any_of(desc.media.begin(), desc.media.end(),
+                                 [](const MediumDesc& m) { return is_liquid(m, LIQUID_SURFACE); });
+  frame.clear_shadows = desc.render.shadow_of_glass.value_or(water ? GLASS_CLEAR : GLASS_OPAQUE) == GLASS_CLEAR;
   frame.seed = static_cast<uint>(desc.render.seed);
 }
 

@@ -7,6 +7,7 @@
 
 #include "reference/glass.hpp"
 #include "reference/light_grid.hpp"
+#include "reference/liquid.hpp"
 #include "reference/scatter_exact.hpp"
 #include "reference/scatter_segments.hpp"
 #include "reference/tracking.hpp"
@@ -73,6 +74,8 @@ dvec3 media_tau(const Context& context, const RayD& ray, double t_max, const Ran
 
 Context::Context(const PlannedScene& flat, const Options& options)
     : scene(flat), media(media_of(flat)), bounds(flat), nodes(gauss_legendre(options.scatter_order)) {
+  for (Medium& medium : media)
+    if (exact() && medium.liquid >= 0) medium = presence_fine(medium);
   for (const Medium& medium : media)
     light_depths.push_back(medium.light_grids >= 0 && !exact() ? light_grids_make(*this, medium) : LightDepths{});
 }

@@ -47,6 +47,7 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
       {"TRACKING", (plan.draws >> DRAWS_COLLISIONS) & 1u, 1, "random collisions"},
       {"ROULETTE", plan.frame.roulette > 0, 1, "roulette"},
       {"SPHERE_REGION", (regions >> REGION_SPHERE) & 1u, 1, "media cut to spheres"},
+      {"LIQUID", !s.liquids.empty(), 1, "liquids"},
       {"LIGHT_GRID", plan.light_entries > 0, 1, "light grids"},
       {"IN_SCATTERINGS_USED", rules, all_bits(IN_SCATTERING_COUNT), "rules of in-scattering"},
       {"PHASES_USED", phases, all_bits(PHASE_COUNT), "phase functions"},

@@ -49,6 +49,15 @@ FAMILY(shadow_family, BRUME_SHADOWS)
 #define ROW(id, name, help) {METRIC_##id, name, help},
 FAMILY(error_metric_family, BRUME_ERROR_METRICS)
 #undef ROW
+#define ROW(id, name, help) {MEDIUM_##id, name, help},
+FAMILY(medium_family, BRUME_MEDIUM_TYPES)
+#undef ROW
+#define ROW(id, name, help) {LIQUID_##id, name, help},
+FAMILY(liquid_model_family, BRUME_LIQUID_MODELS)
+#undef ROW
+#define ROW(id, name, help) {PRESENCE_##id, name, help},
+FAMILY(presence_family, BRUME_PRESENCE_RULES)
+#undef ROW
 #define ROW(id, name, help) {STORAGE_##id, name, help},
 FAMILY(storage_family, BRUME_STORAGES)
 #undef ROW

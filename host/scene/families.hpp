@@ -17,6 +17,9 @@ bool phase_takes_g(int phase);
 const Family& interpolation_family();
 const Family& in_scattering_family();
 const Family& error_metric_family();
+const Family& medium_family();
+const Family& liquid_model_family();
+const Family& presence_family();
 const Family& shadow_family();  // without "auto"
 const Family& storage_family();
 const Family& method_family();  // without "auto"

@@ -8,7 +8,10 @@ namespace brume {
 std::vector<MaterialDesc> read_materials(const JsonValue& scene, const std::filesystem::path& folder);
 std::vector<ShapeDesc> read_shapes(const JsonValue& scene, const std::vector<MaterialDesc>& materials,
                                    const std::filesystem::path& folder);
-std::vector<MediumDesc> read_media(const JsonValue& scene, const std::filesystem::path& folder);
+std::vector<MediumDesc> read_media(const JsonValue& scene, const std::vector<MaterialDesc>& materials,
+                                   const std::filesystem::path& folder);
+// The key "material" of `owner`: an index into `materials`, -1 where there is none.
+int read_material_name(const JsonValue& owner, const std::vector<MaterialDesc>& materials);
 std::vector<LightDesc> read_lights(const JsonValue& scene);
 TransformDesc read_transform(const JsonValue& owner);
 // Where a density comes from and the box in which it stands.

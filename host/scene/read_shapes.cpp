@@ -92,17 +92,6 @@ constexpr Geometry (*READERS[])(const JsonValue&, const Folder&) = {
 static_assert(std::size(READERS) == SHAPE_COUNT + 2 && std::variant_size_v<Geometry> == std::size(READERS),
               "one reader and one struct per row of BRUME_SHAPES, then triangle and mesh");
 
-int read_material_name(const JsonValue& shape, const std::vector<MaterialDesc>& materials) {
-  if (!shape.has("material")) return -1;
-  const std::string name = shape.get("material").as_string();
-  std::string known;
-  for (std::size_t i = 0; i < materials.size(); ++i) {
-    if (materials[i].name == name) return static_cast<int>(i);
-    known += (known.empty() ? "" : ", ") + materials[i].name;
-  }
-  shape.get("material").fail("unknown material " + text_quote(name) + "; known: " + (known.empty() ? "none" : known));
-}
-
 Scale read_scale(const JsonValue& value) {
   const Scale s{value.as_color(Range::any())};
   for (int i = 0; i < 3; ++i)
@@ -131,6 +120,17 @@ std::variant<Scale, Rotate, Translate> read_step(const JsonValue& step) {
 }
 
 }  // namespace
+
+int read_material_name(const JsonValue& owner, const std::vector<MaterialDesc>& materials) {
+  if (!owner.has("material")) return -1;
+  const std::string name = owner.get("material").as_string();
+  std::string known;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    if (materials[i].name == name) return static_cast<int>(i);
+    known += (known.empty() ? "" : ", ") + materials[i].name;
+  }
+  owner.get("material").fail("unknown material " + text_quote(name) + "; known: " + (known.empty() ? "none" : known));
+}
 
 TransformDesc read_transform(const JsonValue& owner) {
   TransformDesc steps;

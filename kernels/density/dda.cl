@@ -108,6 +108,12 @@ static inline int dda_brick_entry(const Scene* scene, const Medium* medium, cons
   return brick_entry(scene, medium, (int)d->x.brick, (int)d->y.brick, (int)d->z.brick);
 }
 
+// Along one axis the bricks in which W places s of a ray lie.
+static inline intW lanes_brick(floatW s, float origin, float dir, int bricks) {
+  const floatW p = mad_exact(s, (floatW)(dir), (floatW)(origin));
+  return lanes_whole(p * (1.0f / BRICK_CELLS), (floatW)((float)(bricks - 1)));
+}
+
 // What segment i of a walk takes from the brick in which the walk stands.
 static inline void dda_brick_store(const Dda* d, int i, Segments* out) {
   out->base[i] = d->base;

@@ -60,6 +60,9 @@ typedef struct {
 #if BRUME_RANDOM
   uint id[W];  // number of the segment along the ray: names its random numbers
 #endif
+#if BRUME_LIQUID
+  float integral[W];  // ∫ρ over the segment, where the walk has found it already
+#endif
 #if BRUME_TRACKING
   float low[W];      // lower bound of the density in the brick
   float control[W];  // ∫ of such bounds from the segment before to this one
@@ -86,6 +89,9 @@ static inline void segments_pad(Segments* out) {
 #endif
 #if BRUME_RANDOM
     out->id[i] = 0;
+#endif
+#if BRUME_LIQUID
+    out->integral[i] = 0.0f;
 #endif
 #if BRUME_TRACKING
     out->low[i] = 0.0f;

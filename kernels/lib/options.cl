@@ -50,6 +50,9 @@
 #ifndef BRUME_LIGHT_GRID  // some medium has a light grid
 #define BRUME_LIGHT_GRID 1
 #endif
+#ifndef BRUME_LIQUID  // some medium is a liquid
+#define BRUME_LIQUID 1
+#endif
 #ifndef BRUME_IN_SCATTERINGS_USED  // bit IN_SCATTERING_x of the frame
 #define BRUME_IN_SCATTERINGS_USED (-1)
 #endif

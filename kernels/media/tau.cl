@@ -87,7 +87,7 @@ static inline Collision track_collide(const Medium* medium, const Random* walk, 
 // τ of a medium by tracking: an estimate whose exp(-τ) is right in the mean.
 static inline Tau track_tau(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random, Tau sigma_t,
                             uint* lookups) {
-  Walk walk = walk_begin(medium, ray, random, WALK_TO_LIGHT);
+  Walk walk = walk_begin(scene, medium, ray, random, WALK_TO_LIGHT);
   Segments at;
   float integral[W];
   Tau tau = (Tau)(0.0f);

@@ -208,6 +208,8 @@ Json scene_json(const SceneDesc& desc, const Folder& folder) {
 
 }  // namespace
 
+std::string camera_write(const CameraDesc& camera) { return json_text(camera_json(camera)); }
+
 std::string scene_write(const SceneDesc& desc, const Folder& folder) {
   try {
     return json_text(scene_json(desc, folder));

@@ -117,6 +117,7 @@ void Picture::write_outputs(const SampleCover* cover, std::string& failures) con
   FilmWriteOptions options;
   options.cover = cover;
   options.exposure = desc.film.exposure;
+  options.transfer = desc.film.transfer;
   options.aovs = arguments_.aovs();
   options.alpha = arguments_.alpha;
   const Frame& frame = prepared_.flat.frame;

@@ -42,6 +42,9 @@ FAMILY(shadow_family, BRUME_SHADOWS)
 #define ROW(id, name, help) {METRIC_##id, name, help},
 FAMILY(error_metric_family, BRUME_ERROR_METRICS)
 #undef ROW
+#define ROW(id, name, help) {TRANSFER_##id, name, help},
+FAMILY(transfer_family, BRUME_TRANSFERS)
+#undef ROW
 #define ROW(id, name, help) {STORAGE_##id, name, help},
 FAMILY(storage_family, BRUME_STORAGES)
 #undef ROW

@@ -17,6 +17,7 @@ const Family& in_scattering_family();
 const Family& error_metric_family();
 const Family& shadow_family();  // without "auto"
 const Family& storage_family();
+const Family& transfer_family();
 const Family& method_family();  // without "auto"
 const Family& shape_family();   // analytic shapes, triangle and mesh
 const Family& mesh_shading_family();

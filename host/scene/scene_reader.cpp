@@ -49,6 +49,7 @@ FilmDesc read_film(const JsonValue& scene) {
   }
   f.spp = film.integer("spp", f.spp, 1, 1 << 20);
   f.exposure = film.number("exposure", f.exposure, Range::closed(-100, 100));
+  f.transfer = film.member("transfer", f.transfer, transfer_family(), "transfer curve");
   film.refuse_unread();
   return f;
 }

@@ -135,6 +135,20 @@ TEST_F(Frames, CamerasMayDifferFromFrameToFrame) {
   EXPECT_NE(text(folder_ / "f_1.png"), text(folder_ / "one.png"));
 }
 
+TEST_F(Frames, ACameraIsSavedAndTakenForAnyFile) {
+  const std::string tank = (test_data() / "own/tank_06.vdb").string();
+  ASSERT_EQ(run("render " + tank + " -o a.png --size 16x12 --quiet --save-camera c.json --save-scene s.json").exit_code,
+            0);
+  ASSERT_EQ(run("render s.json -o b.png --quiet --set /camera/eye=[9,9,9] --save-camera far.json").exit_code, 0);
+  ASSERT_EQ(run("render s.json -o c.png --quiet --camera c.json").exit_code, 0);
+  ASSERT_EQ(run("render " + tank + " -o d.png --size 16x12 --quiet --camera far.json").exit_code, 0);
+  EXPECT_EQ(text(folder_ / "a.png"), text(folder_ / "c.png"));
+  EXPECT_EQ(text(folder_ / "b.png"), text(folder_ / "d.png"));
+  EXPECT_NE(text(folder_ / "a.png"), text(folder_ / "b.png"));
+  expect_refused("render s.json -o e.png --camera none.json", 2, "none.json: ");
+  expect_refused("render s.json -o e.png --camera c.json --save-camera c.json", 2, "is the same file as --camera");
+}
+
 TEST_F(Frames, BareFilesHaveOneCameraForAll) {
   const std::string tank = (test_data() / "own/tank_%02d.vdb").string();
   const Outcome r = run("render " + tank + " --frames 2-6:2 -o f_%02d.png --size 16x12 --save-scene tank.json");

@@ -54,7 +54,7 @@ void LoadedScene::keep(const DensityDesc& density, Grid grid) {
 }
 
 std::shared_ptr<const Mesh> LoadedScene::mesh(const std::filesystem::path& file) {
-  return once(meshes_, file_key(file), [&] { return mesh_read_obj(file); });
+  return once(meshes_, file_key(file), [&] { return mesh_read(file); });
 }
 
 std::shared_ptr<const Image> LoadedScene::texture(const std::filesystem::path& file) {
@@ -66,6 +66,10 @@ LoadedScene LoadedScene::shared_with(const SceneDesc& desc) const {
   LoadedScene shared;
   for (const DensityDesc& density : files.densities) share(grids_, density_key(density_spec(density)), shared.grids_);
   for (const std::filesystem::path& file : files.meshes) share(meshes_, file_key(file), shared.meshes_);
+  for (const auto& [key, mesh] : shared.meshes_)  // which name textures, too
+    for (const MeshMaterial& material : mesh->materials)
+      for (const MeshTexture* texture : {&material.texture, &material.emission_texture})
+        if (!texture->file.empty()) share(textures_, file_key(texture->file), shared.textures_);
   for (const std::filesystem::path& file : files.textures) share(textures_, file_key(file), shared.textures_);
   return shared;
 }

@@ -67,7 +67,7 @@ const Family& shape_family() {
       BRUME_SHAPES(ROW)
 #undef ROW
           {SHAPE_COUNT, "triangle", "three vertices"},
-      {SHAPE_COUNT + 1, "mesh", "an OBJ file"}};
+      {SHAPE_COUNT + 1, "mesh", "a file of triangles"}};
   return rows;
 }
 

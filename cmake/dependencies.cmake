@@ -9,6 +9,7 @@ find_package(OpenCLHeaders REQUIRED)
 find_package(OpenCLHeadersCpp REQUIRED)
 
 find_package(PNG REQUIRED)
+find_package(assimp REQUIRED)
 
 # Debian's package names the folder of OpenCV's headers too, of which brume needs none.
 find_package(OpenImageIO REQUIRED)

@@ -104,12 +104,12 @@ void ChartFolder::exact_write(int spp, const Image& image) const {
   image_write_exr(exact_file(spp), image.width, image.height, channels, {});
 }
 
-void ChartFolder::exact_show(const Image& image, double exposure) const {
-  picture_write(image, exposure, file("exact.jpg"));
+void ChartFolder::exact_show(const Image& image, const FilmDesc& film) const {
+  picture_write(image, film, file("exact.jpg"));
 }
 
-void ChartFolder::point_write(const Knobs& knobs, const Image& image, const Image& exact, double exposure) const {
-  picture_write(image, exposure, picture_file(knobs));
+void ChartFolder::point_write(const Knobs& knobs, const Image& image, const Image& exact, const FilmDesc& film) const {
+  picture_write(image, film, picture_file(knobs));
   error_map_write(image, exact, error_file(knobs));
 }
 

@@ -29,8 +29,8 @@ class ChartFolder {
   // The exact picture of an earlier run of the same chart, where it is there, of that size.
   std::optional<Image> exact_read(int spp, int width, int height) const;
   void exact_write(int spp, const Image& image) const;
-  void exact_show(const Image& image, double exposure) const;  // exact.jpg
-  void point_write(const Knobs& knobs, const Image& image, const Image& exact, double exposure) const;
+  void exact_show(const Image& image, const FilmDesc& film) const;  // exact.jpg
+  void point_write(const Knobs& knobs, const Image& image, const Image& exact, const FilmDesc& film) const;
   void json_write(const Chart& chart) const;
 
  private:

@@ -152,7 +152,7 @@ class Run {
       point.error_rank = error_rank(picture->expected_error, picture->image, *exact);
       point.max_abs = error.max_abs;
       point.display = error.display_p99;
-      folder_.point_write(knobs, picture->image, *exact, scene_.desc().film.exposure);
+      folder_.point_write(knobs, picture->image, *exact, scene_.desc().film);
     } catch (const InputError& error) {  // a setting that this scene refuses
       request_.say("note: " + knobs_id(knobs) + " is left out: " + error.what());
       cost_done_ += scene_.cost(knobs);
@@ -167,7 +167,7 @@ class Run {
     chart_.points.push_back(point);
     for (const int spp : unwritten_) {
       folder_.exact_write(spp, exact_[spp]);
-      if (spp == chart_.exact.spp) folder_.exact_show(exact_[spp], scene_.desc().film.exposure);
+      if (spp == chart_.exact.spp) folder_.exact_show(exact_[spp], scene_.desc().film);
     }
     unwritten_.clear();
     order_points();

@@ -38,9 +38,9 @@ std::array<float, 3> error_color(double relative) {
   return color;
 }
 
-void picture_write(const Image& image, double exposure, const std::filesystem::path& file) {
+void picture_write(const Image& image, const FilmDesc& film, const std::filesystem::path& file) {
   const Image small = block_means(image, block_of(image));
-  image_write_display(file, small.width, small.height, film_display(small.values, exposure));
+  image_write_display(file, small.width, small.height, film_display(small.values, film.exposure, film.transfer));
 }
 
 void error_map_write(const Image& image, const Image& exact, const std::filesystem::path& file) {

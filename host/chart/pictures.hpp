@@ -14,8 +14,8 @@ inline constexpr double ERROR_LO = 1e-4, ERROR_HI = 1;  // of the exact picture'
 // logarithm; as bright in grey. Three values in [0, 1].
 std::array<float, 3> error_color(double relative);
 
-// Through the display curve, `exposure` in stops.
-void picture_write(const Image& image, double exposure, const std::filesystem::path& file);
+// Through the film's display curve.
+void picture_write(const Image& image, const FilmDesc& film, const std::filesystem::path& file);
 // Of each pixel the largest error of its channels.
 void error_map_write(const Image& image, const Image& exact, const std::filesystem::path& file);
 

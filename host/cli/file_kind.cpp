@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/file_read.hpp"
+#include "mesh/mesh.hpp"
 #include "volume/volume_file.hpp"
 
 namespace brume {
@@ -21,7 +22,7 @@ struct KindRow {
 std::vector<KindRow> kinds() {
   return {{FileKind::SCENE, "scene", {".json"}},
           {FileKind::VOLUME, "volume", volume_endings()},
-          {FileKind::MESH, "mesh", {".obj"}}};
+          {FileKind::MESH, "mesh", mesh_endings()}};
 }
 
 std::string joined(const std::vector<std::string>& endings) {

@@ -55,7 +55,7 @@ Json info_volume(const Path& file) {
 }
 
 Json info_mesh(const Path& file) {
-  const Mesh mesh = mesh_read_obj(file);
+  const Mesh mesh = mesh_read(file);
   dvec3 lo = mesh.positions[0], hi = lo;
   for (const dvec3& p : mesh.positions) {
     lo = glm::min(lo, p);
@@ -63,7 +63,8 @@ Json info_mesh(const Path& file) {
   }
   Json materials = Json::array();
   for (const MeshMaterial& m : mesh.materials)
-    materials.push_back({{"name", m.name}, {"texture", m.texture.file.string()}});
+    materials.push_back(
+        {{"name", m.name}, {"texture", m.texture.name.empty() ? m.texture.file.string() : m.texture.name}});
   return {{"file", file.string()},
           {"kind", "mesh"},
           {"triangles", mesh.triangles.size()},

@@ -124,6 +124,7 @@ int merge_run(MergeArguments arguments) {
   options.window = whole.cover.window(whole.film.size().x);
   options.alpha = whole.value("alpha") == "1";
   options.exposure = arguments.exposure ? *arguments.exposure : std::strtod(whole.value("exposure").c_str(), nullptr);
+  if (const FamilyRow* row = family_find(transfer_family(), whole.value("transfer"))) options.transfer = row->id;
   const std::string missing = missing_text(whole);
   if (!missing.empty()) note_write(missing);
   for (const auto& output : arguments.outputs) {

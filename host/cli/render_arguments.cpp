@@ -5,7 +5,9 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "base/frame_pattern.hpp"
 #include "base/number_text.hpp"
+#include "cli/camera_file.hpp"
 #include "cli/file_kind.hpp"
 #include "cli/picture_error.hpp"
 #include "film/film.hpp"
@@ -40,6 +42,8 @@ void RenderArguments::add_scene_options(CLI::App& command) {
   command.add_option("--spp", spp, "Samples per pixel");
   command.add_option("--seed", seed, "Seed of the random numbers");
   command.add_option("--crop", crop, "Render only pixels X0,Y0 (inclusive) to X1,Y1 (exclusive)");
+  command.add_option("--camera", camera,
+                     "File with a camera object, or a scene: its camera instead of the scene's own");
   command.add_option("--exposure", exposure, "Stops for the display formats");
   command.add_option("--device", device, "Index or part of the name of an OpenCL device (see brume devices)");
   command.add_option("--lanes", lanes, "SIMD lanes inside a work-item; default by device")
@@ -53,6 +57,10 @@ void RenderArguments::add_options(CLI::App& command) {
   add_scene_options(command);
   command.add_option("-o,--output", outputs,
                      "Picture: .exr linear float with AOVs; .png, .jpg for display. Repeatable; default NAME.png");
+  command.add_option("--frames", frames,
+                     "Render a sequence, A-B, A-B:STEP or A: the number of the frame stands for %04d (or %d, %0Nd) in "
+                     "-o, in the name of the file, in --camera and in paths of the scene");
+  command.add_flag("--overwrite", overwrite, "With --frames: render also those whose pictures are there");
   command.add_option("--samples", samples, "Render only samples A-B (inclusive, from 0) of each pixel");
   command.add_option("--resume", resume, "Go on from a partial picture (.exr): render only what it lacks");
   command.add_flag("--partial", partial,
@@ -74,16 +82,34 @@ void RenderArguments::add_options(CLI::App& command) {
   command.add_option("--error-metric", error_metric, "Which error: " + family_names(error_metric_family()));
   command.add_option("--time-budget", time_budget, "Choose what comes closest in so many seconds of rendering");
   command.add_option("--save-scene", save_scene, "Write the scene that was rendered, to go on from");
+  command.add_option("--save-camera", save_camera, "Write the camera, for --camera");
   command.add_option("--stats", stats, "Write times, counts and memory as JSON");
-  command.add_flag("--strict", strict, "Exit 1, after writing, if anything had to be noted");
+  command.add_flag("--strict", strict,
+                   "Exit 1, after writing, if anything had to be noted; of a sequence, stop where a file is damaged");
 }
 
 void RenderArguments::complete() {
-  if (outputs.empty()) outputs.push_back(scene.stem().string() + ".png");
+  const std::string name = scene.stem().string();
+  const bool numbered = frames.empty() || frame_pattern(name);
+  if (outputs.empty()) outputs.push_back(name + (numbered ? ".png" : "_%04d.png"));
+}
+
+RenderArguments RenderArguments::of_frame(int frame) const {
+  RenderArguments one = *this;
+  one.scene = frame_name(scene.string(), frame);
+  one.camera = frame_name(camera.string(), frame);
+  for (std::filesystem::path& output : one.outputs) output = frame_name(output.string(), frame);
+  one.frames.clear();
+  one.stats.clear();
+  one.save_scene.clear();
+  one.save_camera.clear();
+  return one;
 }
 
 std::vector<std::string> RenderArguments::all_overrides() const {
-  std::vector<std::string> all = overrides;
+  std::vector<std::string> all;
+  if (!camera.empty()) all.push_back(camera_override(camera));
+  all.insert(all.end(), overrides.begin(), overrides.end());
   if (!size.empty()) {
     const auto wh = integers<2>("--size", size, 'x', "WxH");
     all.push_back("/film/size=[" + std::to_string(wh[0]) + "," + std::to_string(wh[1]) + "]");

@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "plan/scene_hash.hpp"
+#include "scene/families.hpp"
 #include "version.hpp"
 
 namespace brume {
@@ -56,6 +57,7 @@ ImageMetadata part_metadata(const SceneDesc& desc, const PlannedScene& flat) {
           {"seed", std::to_string(desc.render.seed)},
           {"scene_hash", hash},
           {"exposure", number_text(desc.film.exposure, 17)},
+          {"transfer", std::string(family_name(transfer_family(), desc.film.transfer))},
           {"alpha", flat.frame.hides_background ? "1" : "0"}};
 }
 

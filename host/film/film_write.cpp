@@ -42,7 +42,7 @@ std::vector<float> display_alpha(const std::vector<float>& radiance, const Plane
   for (std::size_t i = 0; i < alpha.values.size(); ++i) {
     const float a = alpha.values[i];
     for (std::size_t c = 0; c < 3; ++c)
-      rgba.push_back(film_display(a > 0 ? radiance[3 * i + c] / a : 0.0f, options.exposure));
+      rgba.push_back(film_display(a > 0 ? radiance[3 * i + c] / a : 0.0f, options.exposure, options.transfer));
     rgba.push_back(a);
   }
   return rgba;
@@ -62,7 +62,7 @@ void film_write(const Film& film, const std::filesystem::path& file, const FilmW
   if (options.alpha && image_format_of_output(file).alpha)
     return image_write_display(file, film.size().x, film.size().y, display_alpha(radiance, film.alpha(), options),
                                true);
-  image_write_display(file, film.size().x, film.size().y, film_display(radiance, options.exposure));
+  image_write_display(file, film.size().x, film.size().y, film_display(radiance, options.exposure, options.transfer));
 }
 
 Image film_image(const Film& film) {

@@ -6,6 +6,7 @@
 #include "film/film.hpp"
 #include "film/film_partial.hpp"
 #include "image/image.hpp"
+#include "shared/transfer.h"
 
 namespace brume {
 
@@ -17,6 +18,7 @@ struct FilmWriteOptions {
       false;  // a channel A, for a film without background: multiplied in in .exr, not in .png, left out in .jpg
   const SampleCover* cover = nullptr;  // of a film that others can be joined to: linear formats keep its sums
   ImageWindow window{};                // of the pixels that were rendered: all that is stored, in linear formats
+  int transfer = TRANSFER_GAMMA;       // display formats only
 };
 
 // R, G, B, A where there is one, and those of the planes.

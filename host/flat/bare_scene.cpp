@@ -154,8 +154,9 @@ SceneDesc scene_of_mesh(const std::filesystem::path& file, ivec2 film, LoadedSce
 }  // namespace
 
 SceneDesc bare_scene(const std::filesystem::path& file, LoadedScene& loaded, std::string& report, ivec2 film) {
-  const auto make = file_ending(file) == ".obj" ? scene_of_mesh : scene_of_volume;
-  return make(file, film, loaded, report);
+  const std::vector<std::string>& meshes = mesh_endings();
+  const bool is_mesh = std::find(meshes.begin(), meshes.end(), file_ending(file)) != meshes.end();
+  return (is_mesh ? scene_of_mesh : scene_of_volume)(file, film, loaded, report);
 }
 
 }  // namespace brume

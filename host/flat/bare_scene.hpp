@@ -8,7 +8,7 @@
 
 namespace brume {
 
-// Of an .obj file, or of a volume; InputError for what is neither. `report` receives one line saying what was chosen
+// Of a mesh, or of a volume; InputError for what is neither. `report` receives one line saying what was chosen
 // (σt, the densest view, ...). The camera frames it in a film of that shape. What it reads is in `loaded`, under the
 // names of the description.
 SceneDesc bare_scene(const std::filesystem::path& file, LoadedScene& loaded, std::string& report, ivec2 film = {1, 1});

@@ -115,7 +115,10 @@ int mesh_texture(const MeshTexture& texture, TextureTable& textures, std::vector
   try {
     return textures.add(texture);
   } catch (const InputError& error) {
-    note_once(notes, std::string(error.what()) + "; the material goes without it");
+    std::string why = error.what();
+    if (const std::string file = texture.file.string(); !texture.name.empty() && why.rfind(file, 0) == 0)
+      why = texture.name + why.substr(file.size());
+    note_once(notes, why + "; the material goes without it");
     return -1;
   }
 }

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "base/file_read.hpp"
+#include "load/scene_files.hpp"
 #include "volume/density_source.hpp"
 
 namespace brume {
@@ -39,6 +40,11 @@ std::shared_ptr<T> once(std::map<std::string, std::shared_ptr<T>>& known, const 
 }
 
 template <class T>
+void share(const std::map<std::string, T>& from, const std::string& key, std::map<std::string, T>& to) {
+  if (const auto found = from.find(key); found != from.end()) to.insert(*found);
+}
+
+template <class T>
 std::size_t array_bytes(const std::vector<T>& values) {
   return values.size() * sizeof(T);
 }
@@ -55,11 +61,24 @@ void LoadedScene::keep(const DensityDesc& density, Grid grid) {
 }
 
 std::shared_ptr<const Mesh> LoadedScene::mesh(const std::filesystem::path& file) {
-  return once(meshes_, file_key(file), [&] { return mesh_read_obj(file); });
+  return once(meshes_, file_key(file), [&] { return mesh_read(file); });
 }
 
 std::shared_ptr<const Image> LoadedScene::texture(const std::filesystem::path& file) {
   return once(textures_, file_key(file), [&] { return image_read_texture(file); });
+}
+
+LoadedScene LoadedScene::shared_with(const SceneDesc& desc) const {
+  const SceneFiles files = scene_files(desc);
+  LoadedScene shared;
+  for (const DensityDesc& density : files.densities) share(grids_, density_key(density_spec(density)), shared.grids_);
+  for (const std::filesystem::path& file : files.meshes) share(meshes_, file_key(file), shared.meshes_);
+  for (const auto& [key, mesh] : shared.meshes_)  // which name textures, too
+    for (const MeshMaterial& material : mesh->materials)
+      for (const MeshTexture* texture : {&material.texture, &material.emission_texture})
+        if (!texture->file.empty()) share(textures_, file_key(texture->file), shared.textures_);
+  for (const std::filesystem::path& file : files.textures) share(textures_, file_key(file), shared.textures_);
+  return shared;
 }
 
 std::vector<LoadedCost> LoadedScene::costs() const {

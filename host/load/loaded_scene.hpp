@@ -32,6 +32,9 @@ class LoadedScene {
   // A grid that was read already, as that density.
   void keep(const DensityDesc& density, Grid grid);
 
+  // Of what was loaded, that which `desc` names too, for another frame of a sequence.
+  LoadedScene shared_with(const SceneDesc& desc) const;
+
   std::vector<LoadedCost> costs() const;
 
   // Whoever flattens it for the last time: grids may then give their memory back as they are laid out.

@@ -1,19 +1,23 @@
-// A triangle mesh as its OBJ file states it, checked: every index is in range, every position finite, no triangle
+// A triangle mesh as its file states it, checked: every index is in range, every position finite, no triangle
 // without area.
 #pragma once
 #include <array>
 #include <filesystem>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "base/memory_file.hpp"
 
 namespace brume {
 
 // base + gain * the image at scale * uv + offset, repeated, or, where it is clamped, shown once with 1 around it.
 struct MeshTexture {
   std::filesystem::path file;  // resolved; empty for none
+  std::string name{};          // for messages, where the image lies in the mesh's own file
   glm::dvec2 scale{1}, offset{0};
   double base = 0, gain = 1;
   bool clamp = false;
@@ -40,6 +44,7 @@ struct Mesh {
   std::vector<glm::dvec2> uvs;
   std::vector<MeshTriangle> triangles;
   std::vector<MeshMaterial> materials;
+  std::vector<std::shared_ptr<const MemoryFile>> images;  // that lie in the mesh's own file; textures name them
   std::vector<std::string>
       notes;  // what a user should be told: missing MTL, dropped triangles, lines that are not read, ...
 };
@@ -47,6 +52,14 @@ struct Mesh {
 // Throws InputError for a file that is missing, has no triangle, an index out of range, a vertex beyond 1e38, a number
 // of the MTL beyond float, or syntax at whose meaning one would only guess.
 Mesh mesh_read_obj(const std::filesystem::path& file);
+
+// The same of a PLY or glTF file, by brume-mesh. A mesh of glTF is there as often as its nodes have it, where they put
+// it. InputError also where a PLY ends before what its header promises, and where the file makes the reader crash.
+Mesh mesh_read_foreign(const std::filesystem::path& file);
+
+// By the ending, one of mesh_endings().
+Mesh mesh_read(const std::filesystem::path& file);
+const std::vector<std::string>& mesh_endings();  // in lower case, with the dot
 
 // Gives every corner without a normal one: the angle-weighted mean over the triangles of its smoothing group that share
 // its position [Thuermer98]; with `crease` (degrees) only over those that edges of at most this angle join to it.

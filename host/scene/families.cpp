@@ -58,6 +58,9 @@ FAMILY(liquid_model_family, BRUME_LIQUID_MODELS)
 #define ROW(id, name, help) {PRESENCE_##id, name, help},
 FAMILY(presence_family, BRUME_PRESENCE_RULES)
 #undef ROW
+#define ROW(id, name, help) {TRANSFER_##id, name, help},
+FAMILY(transfer_family, BRUME_TRANSFERS)
+#undef ROW
 #define ROW(id, name, help) {STORAGE_##id, name, help},
 FAMILY(storage_family, BRUME_STORAGES)
 #undef ROW
@@ -80,7 +83,7 @@ const Family& shape_family() {
       BRUME_SHAPES(ROW)
 #undef ROW
           {SHAPE_COUNT, "triangle", "three vertices"},
-      {SHAPE_COUNT + 1, "mesh", "an OBJ file"}};
+      {SHAPE_COUNT + 1, "mesh", "a file of triangles"}};
   return rows;
 }
 

@@ -22,6 +22,7 @@ const Family& liquid_model_family();
 const Family& presence_family();
 const Family& shadow_family();  // without "auto"
 const Family& storage_family();
+const Family& transfer_family();
 const Family& method_family();  // without "auto"
 const Family& shape_family();   // analytic shapes, triangle and mesh
 const Family& mesh_shading_family();

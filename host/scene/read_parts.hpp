@@ -31,6 +31,10 @@ std::filesystem::path read_path(const JsonValue& value, const std::filesystem::p
 // Applies "/json/pointer=VALUE" to the parsed scene.
 void apply_override(nlohmann::json& scene, const std::string& text);
 
+// Puts the number of the frame into every text of `at` that has a place for it; FRAME_NONE: such a text fails.
+// `file` and `place` of `at` for the message.
+void apply_frame(nlohmann::json& at, int frame, const std::string& file, const std::string& place);
+
 // Fails where a key of a mesh asks for something that the scene language names but this version cannot do.
 void refuse_reserved(const JsonValue& mesh);
 

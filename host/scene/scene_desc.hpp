@@ -17,6 +17,7 @@
 #include "shared/material.h"
 #include "shared/method.h"
 #include "shared/phase.h"
+#include "shared/transfer.h"
 
 namespace brume {
 
@@ -36,6 +37,7 @@ struct FilmDesc {
   ivec2 size{512, 512};
   int spp = 1;
   double exposure = 0;
+  int transfer = TRANSFER_GAMMA;
 };
 
 struct LightDesc {

@@ -23,10 +23,8 @@ constexpr double INTENSITY_MAX = 1e100;  // W/sr of a light inverse to the squar
 
 static_assert(CAMERA_COUNT == 2 && LIGHT_COUNT == 3, "read_camera and read_light know the keys of all");
 
-CameraDesc read_camera(const JsonValue& scene) {
+CameraDesc read_camera(const JsonValue& camera) {
   CameraDesc c;
-  if (!scene.has("camera")) return c;
-  const JsonValue camera = scene.get("camera");
   c.type = camera.member("type", c.type, camera_family(), "camera");
   c.eye = camera.vec3("eye", c.eye);
   c.target = camera.vec3("target", c.target);
@@ -52,6 +50,7 @@ FilmDesc read_film(const JsonValue& scene) {
   }
   f.spp = film.integer("spp", f.spp, 1, 1 << 20);
   f.exposure = film.number("exposure", f.exposure, Range::closed(-100, 100));
+  f.transfer = film.member("transfer", f.transfer, transfer_family(), "transfer curve");
   film.refuse_unread();
   return f;
 }
@@ -160,15 +159,16 @@ std::vector<LightDesc> read_lights(const JsonValue& scene) {
 }
 
 SceneDesc scene_read_text(std::string_view text, const std::filesystem::path& as_file,
-                          const std::vector<std::string>& overrides) {
+                          const std::vector<std::string>& overrides, int frame) {
   nlohmann::json json = json_parse(text, as_file.string());
   for (const std::string& change : overrides) apply_override(json, change);
+  if (frame != FRAME_ANY) apply_frame(json, frame, as_file.string(), "");
   const JsonValue scene(json, as_file.string());
   scene.expect_object();
   const std::filesystem::path folder = as_file.parent_path();
   SceneDesc desc;
   desc.file = as_file;
-  desc.camera = read_camera(scene);
+  if (scene.has("camera")) desc.camera = read_camera(scene.get("camera"));
   desc.film = read_film(scene);
   desc.background = scene.color("background", desc.background, Range::closed(0, RADIANCE_MAX));
   desc.ambient = scene.color("ambient", desc.ambient, Range::at_least_0());
@@ -185,8 +185,21 @@ SceneDesc scene_read_text(std::string_view text, const std::filesystem::path& as
   return desc;
 }
 
-SceneDesc scene_read(const std::filesystem::path& file, const std::vector<std::string>& overrides) {
-  return scene_read_text(file_read_text(file, FILE_BYTES_MAX, "a scene file"), file, overrides);
+CameraDesc camera_read(std::string_view text, const std::filesystem::path& as_file) {
+  const nlohmann::json json = json_parse(text, as_file.string());
+  const JsonValue file(json, as_file.string());
+  file.expect_object();
+  for (const char* part : {"film", "lights", "materials", "shapes", "media", "render"})
+    if (json.contains(part) && !json.contains("camera")) file.fail("is a scene without a camera");
+  return read_camera(json.contains("camera") ? file.get("camera") : file);
+}
+
+std::string scene_file_text(const std::filesystem::path& file) {
+  return file_read_text(file, FILE_BYTES_MAX, "a scene file");
+}
+
+SceneDesc scene_read(const std::filesystem::path& file, const std::vector<std::string>& overrides, int frame) {
+  return scene_read_text(scene_file_text(file), file, overrides, frame);
 }
 
 }  // namespace brume

@@ -240,8 +240,10 @@ Json medium_json(const MediumDesc& m, const std::vector<MaterialDesc>& materials
 Json scene_json(const SceneDesc& desc, const Folder& folder) {
   Json json;
   json["camera"] = camera_json(desc.camera);
-  json["film"] = {
-      {"size", {desc.film.size.x, desc.film.size.y}}, {"spp", desc.film.spp}, {"exposure", number(desc.film.exposure)}};
+  json["film"] = {{"size", {desc.film.size.x, desc.film.size.y}},
+                  {"spp", desc.film.spp},
+                  {"exposure", number(desc.film.exposure)},
+                  {"transfer", family_name(transfer_family(), desc.film.transfer)}};
   json["background"] = vec(desc.background);
   json["ambient"] = vec(desc.ambient);
   json["lights"] = Json::array();
@@ -261,6 +263,8 @@ Json scene_json(const SceneDesc& desc, const Folder& folder) {
 }
 
 }  // namespace
+
+std::string camera_write(const CameraDesc& camera) { return json_text(camera_json(camera)); }
 
 std::string scene_write(const SceneDesc& desc, const Folder& folder) {
   try {

@@ -10,4 +10,7 @@ namespace brume {
 // Paths are written relative to `folder`, where the text is going to stand.
 std::string scene_write(const SceneDesc& desc, const std::filesystem::path& folder);
 
+// A camera object alone.
+std::string camera_write(const CameraDesc& camera);
+
 }  // namespace brume

@@ -133,6 +133,37 @@ TEST(FilmDisplay, TheCurve) {
   EXPECT_FLOAT_EQ(film_display(4.0f, -3), 0.72974005f);
 }
 
+// From the standard: the two pieces, where they meet, and the inverse that textures are decoded by.
+TEST(FilmDisplay, TheCurveOfSrgb) {
+  const auto srgb = [](float light, double exposure = 0) { return film_display(light, exposure, TRANSFER_SRGB); };
+  EXPECT_EQ(srgb(0), 0);
+  EXPECT_EQ(srgb(-1), 0);
+  EXPECT_EQ(srgb(NOT_A_NUMBER), 0);
+  EXPECT_EQ(srgb(1), 1);
+  EXPECT_EQ(srgb(INF), 1);
+  EXPECT_FLOAT_EQ(srgb(0.001f), 0.01292f);
+  EXPECT_FLOAT_EQ(srgb(0.00025f, 2), 0.01292f);
+  EXPECT_NEAR(srgb(0.0031308f), 0.0404499f, 1e-6);
+  EXPECT_NEAR(srgb(0.0031309f), 0.0404513f, 1e-6);
+  EXPECT_NEAR(srgb(0.18f), 0.4613561f, 1e-6);
+  for (int code = 0; code < 256; ++code)
+    EXPECT_EQ(std::lround(srgb(static_cast<float>(srgb_decode(code / 255.0))) * 255), code);
+}
+
+TEST_F(FilmTest, DisplayFilesHoldTheCurveThatIsAskedFor) {
+  Film film({1, 1});
+  film.pixels()[0].samples = 1;
+  film.pixels()[0].radiance = {0.001f, 0.18f, 5};
+  FilmWriteOptions options;
+  options.transfer = TRANSFER_SRGB;
+  film_write(film, folder_ / "a.png", options);
+  film_write(film, folder_ / "a.exr", options);
+  const Image shown = image_read(folder_ / "a.png"), linear = image_read(folder_ / "a.exr");
+  const int codes[] = {3, 118, 255};
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_EQ(std::lround(shown.values[c] * 255), codes[c]);
+  EXPECT_EQ(linear.values[std::size_t(image_channel(linear, "B"))], 5);  // nothing is cut
+}
+
 TEST_F(FilmTest, DisplayFilesHoldTheCurve) {
   Film film({3, 1});
   const Packed3 radiance[] = {{0, 0.25f, 0.09f}, {NOT_A_NUMBER, -1, 5}, {0.001f, 0.5f, INF}};

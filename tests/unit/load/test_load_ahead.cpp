@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "load/load_ahead.hpp"
+#include "load/scene_files.hpp"
 
 namespace brume {
 namespace {
@@ -41,6 +42,33 @@ TEST(LoadAhead, WhatCannotBeLoadedIsToldWhenItIsAskedFor) {
   EXPECT_EQ(loaded.costs().size(), 1u);
   EXPECT_THROW(loaded.grid(desc.media[1].density), InputError);
   EXPECT_THROW(loaded.mesh("/nowhere/a.obj"), InputError);
+}
+
+TEST(LoadAhead, AnotherFrameSharesWhatItNamesToo) {
+  SceneDesc desc, next;
+  desc.media = {perlin(1), perlin(2)};
+  next.media = {perlin(2), perlin(3)};
+  LoadedScene loaded;
+  { const LoadAhead ahead(loaded, desc); }
+  LoadedScene shared = loaded.shared_with(next);
+  ASSERT_EQ(shared.costs().size(), 1u);
+  EXPECT_EQ(shared.grid(next.media[0].density), loaded.grid(desc.media[1].density));
+  EXPECT_TRUE(LoadedScene().shared_with(next).costs().empty());
+}
+
+TEST(LoadAhead, FilesOfASceneAreListed) {
+  SceneDesc desc;
+  desc.media = {perlin(1), MediumDesc{}, MediumDesc{}};
+  desc.media[1].density.type = "file";
+  desc.media[1].density.file = "a.vdb";
+  desc.media[1].emission_density = std::make_shared<DensityDesc>(desc.media[1].density);
+  desc.media[1].emission_density->file = "flame.vdb";
+  desc.media[2].density.type = "sphere";
+  desc.media[2].density.of = std::make_shared<DensityDesc>(desc.media[1].density);
+  desc.shapes.push_back({MeshDesc{"a.obj", {}, {}, {}}, -1, "/shapes/0"});
+  desc.materials.resize(2);
+  desc.materials[1].texture.emplace().file = "a.png";
+  EXPECT_THAT(scene_files(desc).paths(), testing::ElementsAre("a.vdb", "flame.vdb", "a.vdb", "a.obj", "a.png"));
 }
 
 }  // namespace

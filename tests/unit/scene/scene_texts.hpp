@@ -11,7 +11,7 @@ namespace brume {
 // Every key of the language, away from its default where it can be.
 inline const char* const SCENE_FULL = R"({
   "camera": {"type": "orthographic", "eye": [1, 2, 3], "target": [0.5, 0, 0], "up": [0, 0, 1], "height": 3.5},
-  "film": {"size": [320, 200], "spp": 9, "exposure": -1.5},
+  "film": {"size": [320, 200], "spp": 9, "exposure": -1.5, "transfer": "srgb"},
   "background": [0.1, 0.2, 0.3], "ambient": [0.4, 0.5, 0.6],
   "lights": [
     {"type": "point", "position": [1, 2, 3], "intensity": [4, 5, 6], "falloff": "none"},

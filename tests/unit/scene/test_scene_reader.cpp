@@ -7,6 +7,7 @@
 #include <fstream>
 #include <random>
 
+#include "scene/scene_writer.hpp"
 #include "unit/scene/scene_texts.hpp"
 
 namespace brume {
@@ -170,6 +171,34 @@ TEST(SceneReader, MutatedTextsParseOrAreRefused) {
   }
   EXPECT_GT(refused, 1000);  // and some are fine: a digit changed
   EXPECT_LT(refused, 2000);
+}
+
+TEST(SceneReader, ACameraAloneOrOfAScene) {
+  const CameraDesc alone = camera_read(R"({"type": "orthographic", "eye": [1, 2, 3], "height": 4})", "c.json");
+  EXPECT_EQ(alone.type, CAMERA_ORTHOGRAPHIC);
+  EXPECT_EQ(alone.height, 4);
+  const CameraDesc again = camera_read(camera_write(alone), "c.json");
+  EXPECT_EQ(again.eye, dvec3(1, 2, 3));
+  EXPECT_EQ(again.height, 4);
+  EXPECT_EQ(camera_read(R"({"camera": {"vfov": 20}, "shapes": "not looked at"})", "a.json").vfov, 20);
+  EXPECT_EQ(camera_read("{}", "c.json").vfov, 40);
+}
+
+TEST(SceneReader, WhatIsNoCameraIsRefused) {
+  const auto error = [](const char* text) -> std::string {
+    try {
+      camera_read(text, "c.json");
+    } catch (const InputError& refused) {
+      return refused.what();
+    }
+    return "no error";
+  };
+  EXPECT_THAT(error("[]"), StartsWith("c.json: /: expected an object"));
+  EXPECT_THAT(error(R"({"shapes": []})"), StartsWith("c.json: /: is a scene without a camera"));
+  EXPECT_THAT(error(R"({"vfov": 180})"), StartsWith("c.json: /vfov: expected a number in (0, 180)"));
+  EXPECT_THAT(error(R"({"camera": {"vfov": 180}})"), StartsWith("c.json: /camera/vfov: expected"));
+  EXPECT_THAT(error(R"({"eye": [0, 0, 0]})"), StartsWith("c.json: /: eye and target are the same point"));
+  EXPECT_THAT(error(R"({"fov": 20})"), StartsWith("c.json: /: unknown key 'fov' (did you mean 'vfov'?)"));
 }
 
 }  // namespace

@@ -34,6 +34,8 @@ TEST(SceneRefusals, RefusesBrokenWholes) {
       {R"({"background": -1})", "/background: expected a number in [0, 3e+32], got -1"},
       {R"({"ambient": [0, -1, 0]})", "/ambient/1: expected a number >= 0, got -1"},
       {R"({"lights": {}})", "/lights: expected a list, got {}"},
+      {R"({"materials": {"a": {"texture": "t_%03d.png"}}})",
+       "/materials/a/texture: names the files of a sequence, expected together with brume render --frames, got"},
       {R"({"materials": []})", "/materials: expected an object, got []"},
   });
 }

@@ -108,6 +108,7 @@ TEST(SceneSchema, ListsEveryFamily) {
   Family rules = in_scattering_family();
   rules.insert(rules.begin(), {IN_SCATTERING_AUTO, "auto", ""});
   EXPECT_EQ(render["in_scattering"]["enum"], names(rules));
+  EXPECT_EQ(schema["properties"]["film"]["properties"]["transfer"]["enum"], names(transfer_family()));
   EXPECT_EQ(render["storage"]["enum"], names(storage_family()));
   const nlohmann::json& file = lists["density"]["oneOf"].back()["properties"];
   EXPECT_EQ(file["level_set"]["enum"], names(level_set_family()));

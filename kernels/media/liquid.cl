@@ -242,7 +242,7 @@ OUTLINED Tau liquid_scatter(const Scene* scene, int m, float3 origin, float3 dir
     if (lanes_any(lit > (floatW)(0.0f))) liquid_steps(scene, &r, m, &at, lit, integral, radiance, result);
     r.tau += r.sigma_t * lanes_sum(integral);
   }
-  const int leaves = walk.started && walk.s >= ray.length && ray.t_begin + ray.length < t_max * (1.0f - 1e-6f);
+  const int leaves = walk.next > walk.last && ray.t_begin + ray.length < t_max * (1.0f - 1e-6f);
   if (leaves) liquid_face(scene, &r, m, ray.length, walk.presence, (uint)walk.last + 1u, radiance, result);
   return r.tau;
 }

@@ -8,9 +8,8 @@
 
 // Differences of presences about a point of cell space, along x, y and z, and the presence itself.
 static inline float4 gradient_at(const Scene* scene, const Medium* medium, int shift, float3 p) {
-  const int x = (int)fmin(fmax(p.x, 0.0f), (float)(medium->cells_x - 1));
-  const int y = (int)fmin(fmax(p.y, 0.0f), (float)(medium->cells_y - 1));
-  const int z = (int)fmin(fmax(p.z, 0.0f), (float)(medium->cells_z - 1));
+  const int x = clamp((int)p.x, 0, medium->cells_x - 1), y = clamp((int)p.y, 0, medium->cells_y - 1),
+            z = clamp((int)p.z, 0, medium->cells_z - 1);
   const int bx = x / BRICK_CELLS, by = y / BRICK_CELLS, bz = z / BRICK_CELLS;
   const int number = brick_entry(scene, medium, bx, by, bz);
   if (number == BRICK_EMPTY) return (float4)(0.0f);

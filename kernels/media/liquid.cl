@@ -6,6 +6,9 @@
 
 #if BRUME_LIQUID
 
+// Of the logarithm of a highlight: less is not seen.
+#define LOBE_DARK -16.0f
+
 // Differences of presences about a point of cell space, along x, y and z, and the presence itself.
 static inline float4 gradient_at(const Scene* scene, const Medium* medium, int shift, float3 p) {
   const int x = clamp((int)p.x, 0, medium->cells_x - 1), y = clamp((int)p.y, 0, medium->cells_y - 1),
@@ -87,7 +90,7 @@ static inline float3 liquid_light(const Scene* scene, const LiquidRay* r, float 
     float3 sent = cosine * vec_unpack(liquid->diffuse);
     if (seen) {
       const float half_way = dot(normal, normalize(to_viewer - light.travel));
-      if (half_way > 0.0f) sent += vec_unpack(liquid->specular) * exp(liquid->shininess * log(half_way));
+      if (liquid->shininess * (half_way - 1.0f) > LOBE_DARK && half_way > 0.0f) sent += vec_unpack(liquid->specular) * exp(liquid->shininess * log(half_way));
     }
     sum += pick.weight * light.irradiance * sent;
   }

@@ -12,11 +12,6 @@ namespace brume {
 
 namespace {
 
-struct SceneText {
-  const char* name;
-  const char* text;
-};
-
 // The shapes of "surfaces" are taken one by one as well (row_scenes.cpp).
 constexpr SceneText SCENES[] = {
     {"surfaces", R"({
@@ -267,15 +262,6 @@ constexpr SceneText SCENES[] = {
   "media": [{"density": {"type": "sphere", "of": {"type": "perlin", "resolution": [21, 17, 26], "scale": 3, "octaves": 3, "seed": 7}},
              "sigma_a": 0.5, "sigma_s": 9}],
   "render": {"method": "adaptive", "tolerance": 0.0002, "light_samples": 1, "roulette": 0.3}})"},
-    {"liquid", R"({
-  "camera": {"eye": [1.5, 1.2, 3], "target": [0, 0, 0], "vfov": 36}, "background": [0.2, 0.3, 0.5], "ambient": [0.1, 0.2, 0.3],
-  "lights": [{"type": "directional", "direction": [-0.5, -1, -0.6], "irradiance": [6, 5, 4]},
-             {"type": "point", "position": [1.4, 1.2, 1.1], "intensity": [3, 4, 5]}],
-  "materials": {"grey": {"diffuse": [0.6, 0.6, 0.6]}},
-  "shapes": [{"type": "sphere", "center": [0.3, 0.2, 0], "radius": 0.3, "material": "grey"}],
-  "media": [{"type": "liquid", "density": {"type": "ball", "resolution": [23, 20, 21], "radius": 0.8}, "sigma_a": [2, 1, 0.5],
-             "albedo": [0.9, 0.8, 0.7], "specular": 0.5, "shininess": 30, "ambient": 1}],
-  "render": {"step": 0.03}})"},
     {"empty", R"({"background": [0.25, 0.5, 0.75], "film": {"spp": 5}})"},
 };
 
@@ -327,11 +313,14 @@ void torus_smooth(PlannedScene& scene) {
 std::vector<std::string> check_scene_names() {
   std::vector<std::string> names;
   for (const SceneText& scene : SCENES) names.emplace_back(scene.name);
+  for (const SceneText& scene : liquid_scenes()) names.emplace_back(scene.name);
   return names;
 }
 
 SceneDesc check_scene_desc(const std::string& name) {
-  for (const SceneText& scene : SCENES) {
+  std::vector<SceneText> all(std::begin(SCENES), std::end(SCENES));
+  all.insert(all.end(), liquid_scenes().begin(), liquid_scenes().end());
+  for (const SceneText& scene : all) {
     if (name != scene.name) continue;
     SceneDesc desc = scene_read_text(scene.text, name + ".json", {});
     if (name == "mesh") torus_add(desc);

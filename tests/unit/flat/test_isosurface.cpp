@@ -44,7 +44,7 @@ TEST(FlattenIsosurface, MarksTheCellsThatHoldIso) {
       flat_of(R"({"shapes": [{"type": "isosurface", "density": {"type": "linear", "resolution": [8, 8, 8]}}]})");
   std::size_t marked = 0;
   for (const uint word : scene.iso_masks) marked += static_cast<std::size_t>(__builtin_popcount(word));
-  EXPECT_EQ(marked, 9u * 9u);  // cells of the 8 samples and of the border
+  EXPECT_EQ(marked, 16u * 16u);  // of two bricks a side
 }
 
 TEST(FlattenIsosurface, WaterIsTheMaterialOfALiquid) {

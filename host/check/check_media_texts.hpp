@@ -1,7 +1,7 @@
 // Small scenes for `brume check`, each a picture of several things at once. Dense fields only, so that skipping empty
 // bricks cannot hide a wrong cell; no horizon, where a plane's distance is worth nothing in single precision.
 #pragma once
-#include "check/check_scene_texts.hpp"
+#include "check/check_parts.hpp"
 
 namespace brume {
 
@@ -160,15 +160,6 @@ constexpr SceneText MEDIA_SCENES[] = {
   "media": [{"density": {"type": "sphere", "of": {"type": "perlin", "resolution": [21, 17, 26], "scale": 3, "octaves": 3, "seed": 7}},
              "sigma_a": 0.5, "sigma_s": 9}],
   "render": {"method": "adaptive", "tolerance": 0.0002, "light_picks": 1, "roulette": 0.3}})"},
-    {"liquid", R"({
-  "camera": {"eye": [1.5, 1.2, 3], "target": [0, 0, 0], "vfov": 36}, "background": [0.2, 0.3, 0.5], "ambient": [0.1, 0.2, 0.3],
-  "lights": [{"type": "directional", "direction": [-0.5, -1, -0.6], "irradiance": [6, 5, 4]},
-             {"type": "point", "position": [1.4, 1.2, 1.1], "intensity": [3, 4, 5]}],
-  "materials": {"grey": {"diffuse": [0.6, 0.6, 0.6]}},
-  "shapes": [{"type": "sphere", "center": [0.3, 0.2, 0], "radius": 0.3, "material": "grey"}],
-  "media": [{"type": "liquid", "density": {"type": "ball", "resolution": [23, 20, 21], "radius": 0.8}, "sigma_a": [2, 1, 0.5],
-             "albedo": [0.9, 0.8, 0.7], "specular": 0.5, "shininess": 30, "ambient": 1}],
-  "render": {"step": 0.03}})"},
 };
 
 }  // namespace brume

@@ -1,6 +1,6 @@
 // Scenes of surfaces for `brume check`. Those of "surfaces" are taken one by one as well (row_scenes.cpp).
 #pragma once
-#include "check/check_scene_texts.hpp"
+#include "check/check_parts.hpp"
 
 namespace brume {
 

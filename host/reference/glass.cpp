@@ -20,15 +20,17 @@ struct Met {
   double t;
   SurfaceD surface;
 };
-std::vector<Met> met_along(const PlannedScene& scene, const TriangleBounds& bounds, const RayD& ray, double t_max) {
+std::vector<Met> met_along(const PlannedScene& scene, const TriangleBounds& bounds, const RayD& ray, double t_max,
+                           double gap = 0) {
   std::vector<Met> met;
   RayD from = ray;
-  for (double t = 0; met.size() < SURFACES;) {
+  for (double t = gap; met.size() < SURFACES;) {
     const HitD hit = nearest_hit(scene, bounds, from, t_max - t);
     if (hit.primitive == PRIMITIVE_NONE) break;
     t += hit.t;
     met.push_back({t, surface_at(scene, from, hit)});
     from.origin = surface_leave(met.back().surface, ray.dir);
+    t += glm::dot(from.origin - met.back().surface.point, ray.dir);
   }
   return met;
 }
@@ -88,9 +90,10 @@ Inside inside_of(const PlannedScene& scene, const TriangleBounds& bounds, const 
   return inside;
 }
 
-dvec3 light_passes(const PlannedScene& scene, const TriangleBounds& bounds, const RayD& ray, double distance) {
+dvec3 light_passes(const PlannedScene& scene, const TriangleBounds& bounds, const RayD& ray, double distance,
+                   double gap) {
   if (!scene.frame.clear_shadows) return dvec3(occluded(scene, bounds, ray, distance) ? 0 : 1);
-  const std::vector<Met> all = met_along(scene, bounds, ray, distance);
+  const std::vector<Met> all = met_along(scene, bounds, ray, distance, gap);
   if (all.size() == SURFACES) return dvec3(0);
   Inside inside = inside_of(scene, bounds, ray);
   dvec3 left(1);

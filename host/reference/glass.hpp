@@ -28,7 +28,8 @@ double fresnel(double cosine, double eta);
 // What a ray that follows `ray` straight on begins inside of.
 Inside inside_of(const PlannedScene& scene, const TriangleBounds& bounds, const RayD& ray);
 
-// What surfaces leave of light on its way over `distance` against the ray.
-dvec3 light_passes(const PlannedScene& scene, const TriangleBounds& bounds, const RayD& ray, double distance);
+// What surfaces leave of light on its way over `distance` against the ray, which begins `gap` before the point.
+dvec3 light_passes(const PlannedScene& scene, const TriangleBounds& bounds, const RayD& ray, double distance,
+                   double gap = 0);
 
 }  // namespace brume::reference

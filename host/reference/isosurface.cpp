@@ -27,6 +27,7 @@ Medium grid_of(const Isosurface& s) {
   m.brick_nz = s.brick_nz;
   m.interpolation = INTERPOLATION_TRILINEAR;
   m.region = REGION_BOX;
+  m.liquid = -1;
   return m;
 }
 

@@ -41,7 +41,7 @@ double mean_of(double a, double b, double outside) {
 }
 
 // Sample s of the grid, beyond which the nearest goes on.
-double sample_of(const PlannedScene& scene, const Medium& medium, const ivec3& s) {
+float sample_of(const PlannedScene& scene, const Medium& medium, const ivec3& s) {
   const ivec3 cells(medium.cells_x, medium.cells_y, medium.cells_z),
       bricks(medium.brick_nx, medium.brick_ny, medium.brick_nz);
   const ivec3 at = glm::clamp(s, ivec3(0), cells), brick = glm::min(at / BRICK_CELLS, bricks - 1);
@@ -52,9 +52,13 @@ double sample_of(const PlannedScene& scene, const Medium& medium, const ivec3& s
                       static_cast<std::size_t>((in.z * BRICK_SAMPLES + in.y) * BRICK_SAMPLES + in.x)];
 }
 
-// As a device keeps it.
-double stored(double value, int storage) {
-  if (storage == STORAGE_U8) return std::nearbyint(value * GRADIENT_PARTS) / GRADIENT_PARTS;
+// Half the difference of two samples as a device keeps it; it is taken in single precision.
+double half_difference(float next, float last, int storage) {
+  const float value = 0.5f * (next - last);
+  if (storage == STORAGE_U8) {
+    const float code = std::nearbyint(value * float(GRADIENT_PARTS) + 128.0f);
+    return (double(code) - 128) / GRADIENT_PARTS;
+  }
   if (storage == STORAGE_F32 || value == 0) return value;
   const int exponent = std::max(std::ilogb(value), -14);
   return std::ldexp(std::nearbyint(std::ldexp(value, 10 - exponent)), exponent - 10);
@@ -66,7 +70,7 @@ dvec3 sample_gradient(const PlannedScene& scene, const Medium& medium, const ive
     ivec3 next = s, last = s;
     ++next[axis];
     --last[axis];
-    gradient[axis] = stored((sample_of(scene, medium, next) - sample_of(scene, medium, last)) / 2, scene.storage);
+    gradient[axis] = half_difference(sample_of(scene, medium, next), sample_of(scene, medium, last), scene.storage);
   }
   return gradient;
 }

@@ -128,7 +128,8 @@ struct PathState {
   int depth = 0;
   float heirs = INFINITY;
   dvec3 weight{1};
-  Inside inside;  // of what refracts
+  Inside inside;    // of what refracts
+  double start = 0;  // how far before its origin the ray begins
 };
 
 double mean_of(const dvec3& v) { return (v.x + v.y + v.z) / 3; }
@@ -153,7 +154,9 @@ void path_add(const Context& context, const SurfaceD& surface, const dvec3& dir,
   }
   path.heirs -= 1;
   ++path.depth;
-  const PixelD further = path_render(context, {surface_leave(surface, unit), unit}, path);
+  const dvec3 origin = surface_leave(surface, unit);
+  path.start = glm::dot(origin - surface.point, unit);
+  const PixelD further = path_render(context, {origin, unit}, path);
   sample.radiance += factor * further.radiance;
   sample.error += further.error;
   sample.lookups += further.lookups;
@@ -199,7 +202,7 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
 
   PixelD sample;
   sample.samples = 1;
-  sample.transmittance = transmittance_of(media.tau) * absorbed(scene, path.inside.innermost(), hit.t);
+  sample.transmittance = transmittance_of(media.tau) * absorbed(scene, path.inside.innermost(), path.start + hit.t);
   sample.lookups = media.lookups;
   if (hit.primitive == PRIMITIVE_NONE) {
     sample.clear = (sample.transmittance.x + sample.transmittance.y + sample.transmittance.z) / 3;
@@ -248,10 +251,11 @@ bool is_valid(const PixelD& sample) {
 
 }  // namespace
 
-PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& random) {
+PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& random, double start) {
   const bool whole = context.scene.frame.max_depth <= SECONDARY_DEPTH_WHOLE;
-  const Inside inside = context.scene.frame.starts_inside ? inside_of(context.scene, context.bounds, ray) : Inside{};
-  return path_render(context, ray, {random, 0, whole ? INFINITY : float(SECONDARY_RAYS_MAX), dvec3(1), inside});
+  const Inside inside =
+      context.scene.frame.starts_inside ? inside_of(context.scene, context.bounds, ray) : Inside{};
+  return path_render(context, ray, {random, 0, whole ? INFINITY : float(SECONDARY_RAYS_MAX), dvec3(1), inside, start});
 }
 
 PixelD pixel_render(const Context& context, int x, int y, const std::function<RayD(const RayD&)>& moved) {
@@ -262,7 +266,7 @@ PixelD pixel_render(const Context& context, int x, int y, const std::function<Ra
     const dvec2 position = pixel_position(pixel, static_cast<uint>(sample), frame.camera.spp, frame.seed);
     const FrameRayD camera = start_before_planes(context.scene, frame_ray(frame, x, y, position));
     PixelD one =
-        ray_render(context, moved ? moved(camera.ray) : camera.ray, {pixel, static_cast<uint>(sample), frame.seed});
+        ray_render(context, moved ? moved(camera.ray) : camera.ray, {pixel, static_cast<uint>(sample), frame.seed}, camera.start);
     one.depth = (one.depth + one.hits * camera.start) * context.scene.unit;
     if (is_valid(one)) {
       pixel_add(sum, one);

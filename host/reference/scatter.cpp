@@ -86,7 +86,8 @@ Arrival light_arrival(const Context& context, std::size_t index, const dvec3& po
   Arrival arrival{light_at(context.scene, light, point, places), false, dvec3(0)};
   if (arrival.light.distance == 0) return arrival;
   const RayD shadow{ray_origin, -arrival.light.travel};
-  const dvec3 passes = light_passes(context.scene, context.bounds, shadow, arrival.light.reach);
+  const dvec3 passes = light_passes(context.scene, context.bounds, shadow, arrival.light.reach,
+                                    glm::dot(ray_origin - point, shadow.dir));
   arrival.blocked = passes == dvec3(0);
   if (arrival.blocked || !arrival.light.shines()) return arrival;
   const dvec3 tau = media ? *media : media_tau(context, shadow, arrival.light.distance, random, lookups);

@@ -40,7 +40,8 @@ static inline MediumRay medium_ray(const Medium* medium, float3 origin, float3 d
 #endif
   r.t_begin = t0;
   r.length = inside ? t1 - t0 : 0.0f;
-  r.origin = fmin(fmax(vec_point(o, r.dir, t0), lo), hi);  // the entry, never outside by rounding
+  const float3 entry = vec_point(o, r.dir, t0);
+  r.origin = fmin_ordered(fmax_ordered(entry, lo), hi);  // the entry, never outside by rounding
   return r;
 }
 

@@ -38,7 +38,7 @@ static inline float interface_passes(const Material* material, const Surface* su
 }
 
 // Up to the light surfaces weaken what comes through; behind it they only tell what both lie inside of.
-OUTLINED float3 glass_passes(const Scene* scene, float3 origin, float3 dir, float distance) {
+OUTLINED float3 glass_passes(const Scene* scene, float3 origin, float3 dir, float distance, float gap) {
   Way way;
   inside_begin(way.entered);
   way.nowhere = way.at = 0.0f;
@@ -46,14 +46,14 @@ OUTLINED float3 glass_passes(const Scene* scene, float3 origin, float3 dir, floa
   Ray ray;
   ray.origin = vec_pack(origin);
   ray.dir = vec_pack(dir);
-  float begin = 0.0f;  // of the ray, along the way
+  float begin = gap;  // of the ray, along the way
   for (int n = 0; n < GLASS_SURFACES; ++n) {
     const int behind = begin >= distance;
     const Hit hit = scene_hit(scene, vec_unpack(ray.origin), dir, behind ? INFINITY : distance - begin, 0);
     if (hit.primitive == PRIMITIVE_NONE) {
       way_count(scene, &way, distance);
       if (behind || !(way.nowhere > 0.0f && distance < INFINITY)) return way.left;
-      ray.origin = vec_pack(vec_point(origin, dir, distance));
+      ray.origin = vec_pack(vec_point(origin, dir, distance - gap));
       begin = distance;
       continue;
     }
@@ -69,14 +69,15 @@ OUTLINED float3 glass_passes(const Scene* scene, float3 origin, float3 dir, floa
     }
     if (!(vec_max(way.left) > 0.0f)) return (float3)(0.0f);
     ray.origin = vec_pack(surface_leave(&surface, dir));
+    begin += surface_gap(&surface, dir);
   }
   return (float3)(0.0f);
 }
 
-// V: what surfaces leave of the light that comes over `distance` along -dir.
-static inline float3 light_passes(const Scene* scene, float3 origin, float3 dir, float distance) {
+// V: what surfaces leave of the light that comes over `distance` along -dir to a point; origin lies `gap` before it.
+static inline float3 light_passes(const Scene* scene, float3 origin, float3 dir, float distance, float gap) {
 #if BRUME_CLEAR_SHADOWS
-  if (scene->frame->clear_shadows) return glass_passes(scene, origin, dir, distance);
+  if (scene->frame->clear_shadows) return glass_passes(scene, origin, dir, distance, gap);
 #endif
   return scene_occluded(scene, origin, dir, distance) ? (float3)(0.0f) : (float3)(1.0f);
 }

@@ -59,4 +59,9 @@ static inline float3 surface_leave(const Surface* s, float3 dir) {
   return s->point + s->geometric_normal * (dot(s->geometric_normal, dir) < 0.0f ? -s->epsilon : s->epsilon);
 }
 
+// How far in direction dir that start is from the surface.
+static inline float surface_gap(const Surface* s, float3 dir) {
+  return s->epsilon * fabs(dot(s->geometric_normal, dir));
+}
+
 #endif

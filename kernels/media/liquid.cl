@@ -6,11 +6,13 @@
 
 #if BRUME_LIQUID
 
+// Of the logarithm of a highlight: less is not seen.
+#define LOBE_DARK -16.0f
+
 // Differences of presences about a point of cell space, along x, y and z, and the presence itself.
 static inline float4 gradient_at(const Scene* scene, const Medium* medium, int shift, float3 p) {
-  const int x = (int)fmin(fmax(p.x, 0.0f), (float)(medium->cells_x - 1));
-  const int y = (int)fmin(fmax(p.y, 0.0f), (float)(medium->cells_y - 1));
-  const int z = (int)fmin(fmax(p.z, 0.0f), (float)(medium->cells_z - 1));
+  const int x = clamp((int)p.x, 0, medium->cells_x - 1), y = clamp((int)p.y, 0, medium->cells_y - 1),
+            z = clamp((int)p.z, 0, medium->cells_z - 1);
   const int bx = x / BRICK_CELLS, by = y / BRICK_CELLS, bz = z / BRICK_CELLS;
   const int number = brick_entry(scene, medium, bx, by, bz);
   if (number == BRICK_EMPTY) return (float4)(0.0f);
@@ -55,21 +57,25 @@ static inline float3 box_gradient(const Medium* medium, float3 p) {
   return (float3)(0.0f, 0.0f, from_lo.z < from_hi.z ? 1.0f : -1.0f);
 }
 
-// A view ray through a liquid, what it has met so far, and places where it meets light.
+// A view ray through a liquid and what it has met so far.
 typedef struct {
   const Liquid* liquid;
   Stretch stretch;
   Others others;
   Tau tau, sigma_t;  // of the liquid up to the steps at work
-  Segments at;       // the places, as segments without length
-  float depth[W];    // ∫ρ of the liquid from where the steps at work begin to each
-  float light[W];    // how much of the light that arrives
-  float gradient[3][W];
 } LiquidRay;
 
+// Where it meets light.
+typedef struct {
+  float s;
+  float light;  // how much of what arrives it sends
+  float depth;  // ∫ρ of the liquid from where the steps at work begin
+  float3 gradient;
+  uint id;
+} LiquidPlace;
+
 // What the place at s with this normal sends back along the ray.
-static inline float3 liquid_light(const Scene* scene, const LiquidRay* r, float s, float3 normal, uint id,
-                                  MediumResult* result) {
+static inline float3 liquid_light(const Scene* scene, const LiquidRay* r, float s, float3 normal, uint id) {
   const Liquid* liquid = r->liquid;
   const float3 point = vec_point(r->stretch.origin, r->stretch.dir, r->stretch.ray->t_begin + s);
   const float3 to_viewer = -r->stretch.dir;
@@ -84,37 +90,61 @@ static inline float3 liquid_light(const Scene* scene, const LiquidRay* r, float 
     float3 sent = cosine * vec_unpack(liquid->diffuse);
     if (seen) {
       const float half_way = dot(normal, normalize(to_viewer - light.travel));
-      if (half_way > 0.0f) sent += vec_unpack(liquid->specular) * pow(half_way, liquid->shininess);
+      if (liquid->shininess * (half_way - 1.0f) > LOBE_DARK && half_way > 0.0f) sent += vec_unpack(liquid->specular) * exp(liquid->shininess * log(half_way));
     }
     sum += pick.weight * light.irradiance * sent;
   }
-  (void)result;
   return sum;
 }
 
-// Adds the light of the places.
-OUTLINED void liquid_shine(const Scene* scene, LiquidRay* r, int m, LongSum* radiance, MediumResult* result) {
-  Stretch* s = &r->stretch;
-  float others[TAU_CHANNELS][W];
-  s->at = &r->at;
-  lanes_store(lanes_load(r->light), s->integral);
 #if BRUME_MEDIA >= 2
+static inline Tau others_tau(float others[TAU_CHANNELS][W], int i) {
+#if BRUME_COLOR_TAU
+  return (float3)(others[0][i], others[1][i], others[2][i]);
+#else
+  return others[0][i];
+#endif
+}
+
+// Depth of the other media up to places, in their order along the ray: as segments without length.
+OUTLINED void liquid_others(const Scene* scene, LiquidRay* r, int m, const LiquidPlace* places, int count,
+                            float others[TAU_CHANNELS][W], MediumResult* result) {
+  Stretch* s = &r->stretch;
+  Segments at;
+  at.count = W;
+  for (int i = 0; i < W; ++i) {
+    const LiquidPlace* place = places + min(i, count - 1);
+    at.begin[i] = at.place[i] = place->s;
+    at.size[i] = 0.0f;
+    s->integral[i] = i < count ? 1.0f : 0.0f;
+#if BRUME_RANDOM
+    at.id[i] = s->id[i] = place->id;
+#endif
+  }
+  s->at = &at;
   stretch_others(scene, s, m, m + 1, &r->others, &result->lookups);
   for (int c = 0; c < TAU_CHANNELS; ++c) lanes_store(s->others[c], others[c]);
+}
+#endif
+
+// Adds the light of up to W places.
+static inline void liquid_shine(const Scene* scene, LiquidRay* r, int m, const LiquidPlace* places, int count,
+                                LongSum* radiance, MediumResult* result) {
+#if BRUME_MEDIA >= 2
+  float others[TAU_CHANNELS][W];
+  liquid_others(scene, r, m, places, count, others, result);
 #else
   (void)m;
-  for (int c = 0; c < TAU_CHANNELS; ++c) lanes_store((floatW)(0.0f), others[c]);
+  (void)result;
 #endif
-  for (int i = 0; i < W; ++i) {
-    if (!(r->light[i] > 0.0f)) continue;
-    const float3 gradient = (float3)(r->gradient[0][i], r->gradient[1][i], r->gradient[2][i]);
-    const float3 sent =
-        liquid_light(scene, r, r->at.begin[i], liquid_normal(s->medium, gradient), (uint)stretch_id(s, i), result);
-    float through[3];
-    for (int c = 0; c < TAU_CHANNELS; ++c)
-      through[c] = exp(-(tau_channel(r->tau, c) + tau_channel(r->sigma_t, c) * r->depth[i] + others[c][i]));
-    const float3 passed = (float3)(through[0], through[TAU_CHANNELS / 2], through[TAU_CHANNELS - 1]);
-    long_sum_add(radiance, r->light[i] * passed * sent);
+  for (int i = 0; i < count; ++i) {
+    const LiquidPlace* place = places + i;
+    const float3 sent = liquid_light(scene, r, place->s, liquid_normal(r->stretch.medium, place->gradient), place->id);
+    Tau tau = r->tau + r->sigma_t * place->depth;
+#if BRUME_MEDIA >= 2
+    tau += others_tau(others, i);
+#endif
+    long_sum_add(radiance, place->light * sent * exp(-tau));
   }
 }
 
@@ -151,20 +181,6 @@ static inline float liquid_place(const Scene* scene, const LiquidRay* r, float b
   return u;
 }
 
-static inline void liquid_put(LiquidRay* r, int i, float s, float depth, float light, float3 gradient, uint id) {
-  r->at.begin[i] = r->at.place[i] = s;
-  r->depth[i] = depth;
-  r->light[i] = light;
-  r->gradient[0][i] = gradient.x;
-  r->gradient[1][i] = gradient.y;
-  r->gradient[2][i] = gradient.z;
-#if BRUME_RANDOM
-  r->at.id[i] = r->stretch.id[i] = id;
-#else
-  (void)id;
-#endif
-}
-
 static inline float mean_above(float a, float b, float outside) {
   const float above_a = fmax(a, outside), above_b = fmax(b, outside), mean = 0.5f * (above_a + above_b);
   if (a >= outside && b >= outside) return mean;
@@ -172,39 +188,43 @@ static inline float mean_above(float a, float b, float outside) {
 }
 
 // The light of W steps, of which some have any. integral: ∫ρ over each.
-static inline void liquid_steps(const Scene* scene, LiquidRay* r, int m, const PresenceSteps* at, floatW lit,
-                                floatW integral, LongSum* radiance, MediumResult* result) {
-  float begin[W], size[W], before[W], after[W], light[W], depth[W];
+OUTLINED void liquid_steps(const Scene* scene, LiquidRay* r, int m, const PresenceSteps* at, floatW lit,
+                           floatW integral, LongSum* radiance, MediumResult* result) {
+  float begin[W], size[W], before[W], after[W], light[W], depth[W], number[W];
+  LiquidPlace places[W];
+  int count = 0;
   lanes_store(at->begin, begin);
   lanes_store(at->size, size);
   lanes_store(at->before, before);
   lanes_store(at->after, after);
+  lanes_store(at->number, number);
   lanes_store(lit, light);
   lanes_store(lanes_before(integral), depth);
   for (int i = 0; i < W; ++i) {
-    float3 gradient = (float3)(0.0f);
-    if (!(light[i] > 0.0f)) {
-      liquid_put(r, i, begin[i] + size[i], 0.0f, 0.0f, gradient, 0);
-      continue;
-    }
-    const float u = liquid_place(scene, r, begin[i], size[i], before[i], after[i], &gradient);
+    if (!(light[i] > 0.0f)) continue;
+    LiquidPlace* place = places + count++;
+    const float u = liquid_place(scene, r, begin[i], size[i], before[i], after[i], &place->gradient);
     const float there = mad_exact(u, after[i] - before[i], before[i]);
-    const float own = u * size[i] * mean_above(before[i], there, r->liquid->outside);
-    liquid_put(r, i, mad_exact(u, size[i], begin[i]), depth[i] + own, light[i], gradient, (uint)at->number[i]);
+    place->s = mad_exact(u, size[i], begin[i]);
+    place->depth = mad_exact(u * size[i], mean_above(before[i], there, r->liquid->outside), depth[i]);
+    place->light = light[i];
+    place->id = (uint)number[i];
     result->lookups += before[i] == after[i] ? 1 : 2;
   }
-  liquid_shine(scene, r, m, radiance, result);
+  liquid_shine(scene, r, m, places, count, radiance, result);
 }
 
 // The light where the ray passes through a face of the medium's box at s, behind which the presence is 0.
-static inline void liquid_face(const Scene* scene, LiquidRay* r, int m, float s, float presence, uint id,
-                               LongSum* radiance, MediumResult* result) {
+OUTLINED void liquid_face(const Scene* scene, LiquidRay* r, int m, float s, float presence, uint id, LongSum* radiance,
+                          MediumResult* result) {
   const MediumRay* ray = r->stretch.ray;
-  const float light = clamp(presence, r->liquid->outside, r->liquid->inside) - r->liquid->outside;
-  if (!(light > 0.0f) || r->liquid->rate > 0.0f) return;
-  for (int i = 0; i < W; ++i) liquid_put(r, i, s, 0.0f, 0.0f, (float3)(0.0f), id);
-  liquid_put(r, 0, s, 0.0f, light, box_gradient(r->stretch.medium, vec_point(ray->origin, ray->dir, s)), id);
-  liquid_shine(scene, r, m, radiance, result);
+  LiquidPlace place;
+  place.s = s;
+  place.light = clamp(presence, r->liquid->outside, r->liquid->inside) - r->liquid->outside;
+  place.depth = 0.0f;
+  place.gradient = box_gradient(r->stretch.medium, vec_point(ray->origin, ray->dir, s));
+  place.id = id;
+  if (place.light > 0.0f && !(r->liquid->rate > 0.0f)) liquid_shine(scene, r, m, &place, 1, radiance, result);
 }
 
 // Medium m, a liquid, along a view ray up to t_max: adds what it sends to the origin to *radiance and returns its
@@ -228,13 +248,11 @@ OUTLINED Tau liquid_scatter(const Scene* scene, int m, float3 origin, float3 dir
   r.stretch.walk = random_stream(random, (uint)m);
   r.others.s = -ray.t_begin;
   r.others.tau = (Tau)(0.0f);
-  r.at.count = W;
-  for (int i = 0; i < W; ++i) r.at.size[i] = 0.0f;
   Presence walk = presence_begin(scene, &medium, &ray);
   PresenceSteps at;
   int first = 1;
   while (tau_min(r.tau) < TAU_STOP && presence_next(scene, &medium, &ray, &walk, &at)) {
-    if (first && at.number[0] == 0.0f && ray.t_begin > 0.0f)
+    if (first && lanes_first(at.number) == 0.0f && ray.t_begin > 0.0f)
       liquid_face(scene, &r, m, 0.0f, lanes_first(at.after), 0, radiance, result);
     first = 0;
     const floatW lit = liquid_lit(&liquid, &at), integral = presence_integral(&walk, &at);
@@ -242,7 +260,7 @@ OUTLINED Tau liquid_scatter(const Scene* scene, int m, float3 origin, float3 dir
     if (lanes_any(lit > (floatW)(0.0f))) liquid_steps(scene, &r, m, &at, lit, integral, radiance, result);
     r.tau += r.sigma_t * lanes_sum(integral);
   }
-  const int leaves = walk.started && walk.s >= ray.length && ray.t_begin + ray.length < t_max * (1.0f - 1e-6f);
+  const int leaves = walk.next > walk.last && ray.t_begin + ray.length < t_max * (1.0f - 1e-6f);
   if (leaves) liquid_face(scene, &r, m, ray.length, walk.presence, (uint)walk.last + 1u, radiance, result);
   return r.tau;
 }

@@ -78,7 +78,7 @@ static inline void run_ask(const Scene* scene, const Stretch* s, const Run* run,
 #endif
   Tau passed = (Tau)(0.0f);
   ++result->shadow_rays;
-  const float3 surfaces = light_passes(scene, point, -sample.travel, sample.reach);
+  const float3 surfaces = light_passes(scene, point, -sample.travel, sample.reach, 0.0f);
   if (!(vec_max(surfaces) > 0.0f))
     result->shadow_key += (uint)(l + 1);
   else

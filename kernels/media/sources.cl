@@ -34,7 +34,7 @@ static inline float3 place_arriving(const Scene* scene, const Stretch* s, int l,
   const LightSample light = light_sample(scene, l, point, s->random);
   if (!(vec_max(light.irradiance) > 0.0f)) return (float3)(0.0f);
   ++result->shadow_rays;
-  const float3 passes = light_passes(scene, point, -light.travel, light.reach);
+  const float3 passes = light_passes(scene, point, -light.travel, light.reach, 0.0f);
   if (!(vec_max(passes) > 0.0f)) {
     result->shadow_key += (uint)(l + 1);
     return (float3)(0.0f);

@@ -12,7 +12,7 @@ static inline float grid_sample(const Scene* scene, const Medium* m, int x, int 
   const float stored = LOAD_VOXEL(brick_base(number, bx, by, bz) + brick_stride(sx, sy, sz), scene->voxels);
 #if BRUME_STORAGE == 2
   const float2 scale = brick_scale(scene, number);
-  return mad_exact(stored, scale.y, scale.x);
+  return scale.x + stored * scale.y;  // rounded as the host does it: one bit more may be another code
 #else
   return stored;
 #endif

@@ -14,7 +14,7 @@ __kernel void traverse_dda(SCENE_ARGS, uint count, __global const Ray* rays, __g
 #if BRUME_SPECULAR
   if (ray.inside[0] >= 0)
     result.transmittance =
-        vec_pack(vec_unpack(result.transmittance) * inside_transmittance(&scene, ray.inside, hits[item].t));
+        vec_pack(vec_unpack(result.transmittance) * inside_transmittance(&scene, ray.inside, ray.start + hits[item].t));
 #endif
   results[item] = result;
 }

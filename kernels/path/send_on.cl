@@ -20,7 +20,7 @@ static inline void ray_send(const Scene* scene, const Ray* from, const Surface* 
   ray.weight = vec_pack(weight);
   ray.seed = seed;
   ray.heirs = heirs - 1.0f;
-  ray.start = 0.0f;
+  ray.start = surface_gap(surface, unit);
   if (refracts && dot(surface->geometric_normal, unit) < 0.0f) {
     if (surface->leaving)
       inside_leave(ray.inside, surface->material);

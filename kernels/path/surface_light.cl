@@ -17,7 +17,7 @@ static inline float3 surface_light(const Scene* scene, const Surface* surface, c
   if (!(dot(surface->normal, to_light) > 0.0f)) return (float3)(0.0f);
   const float3 scattered = material_reflect(material, diffuse, surface->normal, to_light, to_viewer);
   if (material->refraction > 0.0f && vec_max(weight * scattered) < scene->frame->cutoff) return (float3)(0.0f);
-  const float3 passes = light_passes(scene, from, to_light, light.reach);
+  const float3 passes = light_passes(scene, from, to_light, light.reach, surface_gap(surface, to_light));
   if (!(vec_max(passes) > 0.0f)) return (float3)(0.0f);
   result->lit |= 1u << (pick.light & 31);
   const float3 transmittance = media_transmittance(scene, from, to_light, light.distance,

@@ -2,6 +2,7 @@
 // item i reads its floats of `in` and writes its floats of `out`; host/check knows the strides.
 #include "density/density.cl"
 #include "lib/camera.cl"
+#include "materials/inside.cl"
 #include "materials/material.cl"
 #include "materials/surface.cl"
 #include "media/scatter.cl"
@@ -99,6 +100,12 @@ PROBE(probe_cell) {
   cell.d = probe_load3(v + 12);
   int inside = -1;
   out[item] = cell_crossing(&cell, &inside);
+}
+
+// in: cosine of the angle of incidence, ratio of the indices of refraction. out: share that is mirrored
+PROBE(probe_fresnel) {
+  PROBE_ITEM;
+  out[item] = fresnel_reflectance(in[2 * item], in[2 * item + 1]);
 }
 
 // in: texture as bits, u, v. out: color, 1 in the second color of a checker or beside an image that is shown once

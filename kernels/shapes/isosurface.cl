@@ -25,6 +25,7 @@ static inline Medium isosurface_grid(const Isosurface* s) {
   m.interpolation = INTERPOLATION_TRILINEAR;
   m.region = REGION_BOX;
   m.is_constant = 0;
+  m.liquid = -1;
   m.constant_density = 0.0f;
   return m;
 }

@@ -16,6 +16,7 @@ typedef struct {
   Dda dda;
   float outside;
   float size, offset;  // length of a step; s of border 1
+  float inv_size;
   float length;
   int last;
   int next, stop;     // borders that are to be looked up; none where next > stop
@@ -26,11 +27,11 @@ typedef struct {
 } Presence;
 
 static inline int presence_border_before(const Presence* w, float s) {
-  return clamp((int)floor((s - w->offset) / w->size) + 1, 0, w->last);
+  return clamp((int)floor((s - w->offset) * w->inv_size) + 1, 0, w->last);
 }
 
 static inline int presence_border_after(const Presence* w, float s) {
-  return clamp((int)ceil((s - w->offset) / w->size) + 1, 0, w->last);
+  return clamp((int)ceil((s - w->offset) * w->inv_size) + 1, 0, w->last);
 }
 
 static inline floatW presence_border(const Presence* w, floatW number) {
@@ -58,6 +59,7 @@ static inline Presence presence_begin(const Scene* scene, const Medium* medium, 
     w.last = max(1, (int)ceil(ray->length / medium->step - 0x1p-10f));
     w.size = w.offset = ray->length / (float)w.last;
   }
+  w.inv_size = 1.0f / w.size;
   w.dda = dda_begin(medium, ray, 0.0f);
   w.next = 0;
   w.stop = -1;
@@ -118,19 +120,26 @@ typedef struct {
   int count;             // of lanes; the others have no length
   floatW begin, size;    // s
   floatW before, after;  // presence where a step begins and ends
-  float number[W];       // of the border where it ends
+  floatW number;         // of the border where it ends
 } PresenceSteps;
 
 // The next up to W steps; 0 at the end. The first border of a walk ends a step without length.
 static inline int presence_next(const Scene* scene, const Medium* medium, const MediumRay* ray, Presence* w,
                                 PresenceSteps* out) {
+  floatW number = (floatW)(0.0f);
   int n = 0;
-  while (n < W && (w->next <= w->stop || presence_next_brick(scene, medium, w)))
-    while (n < W && w->next <= w->stop) out->number[n++] = (float)w->next++;
+  while (n < W && (w->next <= w->stop || presence_next_brick(scene, medium, w))) {
+    const int count = min(W - n, w->stop + 1 - w->next);
+    const floatW run = (floatW)((float)(w->next - n)) + lanes_iota();
+    number = lanes_select(number, fmin_ordered(run, (floatW)((float)(w->next + count - 1))),
+                          lanes_iota() >= (floatW)((float)n));
+    w->next += count;
+    n += count;
+  }
   out->count = n;
+  out->number = number;
   if (n == 0) return 0;
-  for (int i = n; i < W; ++i) out->number[i] = out->number[n - 1];
-  const floatW end = presence_border(w, lanes_load(out->number));
+  const floatW end = presence_border(w, number);
   out->after = presence_at(scene, medium, ray, end);
   out->begin = lanes_shift(w->started ? w->s : lanes_first(end), end);
   out->before = lanes_shift(w->started ? w->presence : lanes_first(out->after), out->after);

@@ -31,9 +31,9 @@ inline const char* const SCENE_FULL = R"({
     {"type": "quad", "corner": [1, 1, 1], "u": [2, 0, 0], "v": [0, 0, 3]},
     {"type": "box", "min": [0, 1, 2], "max": [3, 4, 5], "transform": [{"rotate": [0, 1, 0, 30]}, {"scale": [1, 2, -3]}]},
     {"type": "triangle", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]},
+    {"type": "mesh", "file": "../models/bunny.obj", "shading": "flat", "crease": 60.5, "transform": [{"translate": [0, 1.5, 0]}]},
     {"type": "isosurface", "density": {"type": "linear", "resolution": [4, 4, 4]}, "iso": 0.25,
-     "bounds": [[-1, -2, -3], [1, 2, 3]], "transform": [{"scale": [2, 2, 2]}], "material": "b"},
-    {"type": "mesh", "file": "../models/bunny.obj", "shading": "flat", "crease": 60.5, "transform": [{"translate": [0, 1.5, 0]}]}],
+     "bounds": [[-1, -2, -3], [1, 2, 3]], "transform": [{"scale": [2, 2, 2]}], "material": "b"}],
   "media": [
     {"type": "participating", "bounds": [[-1, -2, -3], [1, 2, 3]], "transform": [{"scale": [2, 2, 2]}], "interpolation": "nearest",
      "density": {"type": "sphere", "of": {"type": "perlin", "resolution": [8, 16, 32], "scale": 2.5, "octaves": 3, "seed": 5}},

@@ -95,6 +95,8 @@ TEST(SceneRefusals, RefusesBrokenMaterials) {
       {R"({"materials": {"m": {"shininess": -1}}})",
        "/materials/m/shininess: expected a number in [0, 1000000], got -1"},
       {R"({"materials": {"m": {"ior": 0}}})", "/materials/m/ior: expected a number > 0, got 0"},
+      {R"({"materials": {"m": {"fresnel": 1}}})", "/materials/m/fresnel: expected true or false, got 1"},
+      {R"({"materials": {"m": {"absorption": -1}}})", "/materials/m/absorption: expected a number >= 0, got -1"},
       {R"({"materials": {"m": {"reflection": 2}}})", "/materials/m/reflection: expected a number in [0, 1], got 2"},
       {R"({"materials": {"m": {"texture": ""}}})", "/materials/m/texture: expected the path of a file, got \"\""},
       {R"({"materials": {"m": {"texture": "a\u0000b"}}})", "/materials/m/texture: expected the path of a file"},
@@ -112,8 +114,11 @@ TEST(SceneRefusals, RefusesBrokenMaterials) {
 
 TEST(SceneRefusals, RefusesBrokenShapes) {
   expect_refused({
+      {R"({"shapes": [{"type": "isosurface"}]})", "/shapes/0: the key 'density' is missing"},
+      {R"({"shapes": [{"type": "isosurface", "density": {"type": "linear"}, "iso": 0}]})",
+       "/shapes/0/iso: expected a number > 0, got 0"},
       {R"({"shapes": [{"type": "teapot"}]})",
-       "/shapes/0/type: unknown shape 'teapot'; known: sphere, cylinder, plane, quad, box, triangle, mesh"},
+       "/shapes/0/type: unknown shape 'teapot'; known: sphere, cylinder, plane, quad, box, isosurface, triangle, mesh"},
       {R"({"shapes": [{"type": "sphere", "radius": 0}]})", "/shapes/0/radius: expected a number > 0, got 0"},
       {R"({"shapes": [{"type": "sphere", "corner": [0, 0, 0]}]})", "/shapes/0: unknown key 'corner'"},
       {R"({"shapes": [{"type": "sphere", "material": "gold"}]})",
@@ -244,6 +249,9 @@ TEST(SceneRefusals, RefusesBrokenRenderSettings) {
   expect_refused({
       {R"({"render": {"method": "x"}})", "/render/method: unknown method 'x'; known: auto, dda_nearest, dda_gauss2,"},
       {R"({"render": {"step": 0}})", "/render/step: expected a number > 0, got 0"},
+      {R"({"render": {"cutoff": 2}})", "/render/cutoff: expected a number in [0, 1], got 2"},
+      {R"({"render": {"shadow_of_glass": "dark"}})",
+       "/render/shadow_of_glass: unknown shadow of glass 'dark'; known: opaque, clear"},
       {R"({"render": {"max_depth": 65}})", "/render/max_depth: expected an integer in [0, 64], got 65"},
       {R"({"render": {"max_depth": -1}})", "/render/max_depth: expected an integer in [0, 64], got -1"},
       {R"({"render": {"seed": -1}})", "/render/seed: expected an integer in [0, 2147483647], got -1"},

@@ -10,6 +10,7 @@ const Family& light_family();
 const Family& falloff_family();
 const Family& material_family();
 const Family& texture_family();
+const Family& wrap_family();
 const Family& phase_family();
 bool phase_takes_g(int phase);
 const Family& interpolation_family();

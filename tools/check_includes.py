@@ -37,7 +37,7 @@ KERNELS = {
     "shared": "",
     "lib": "shared",
     "shapes": "shared lib",
-    "lights": "shared lib",
+    "lights": "shared lib shapes materials",
     "phase": "shared lib",
     "density": "shared lib",
     "walk": "shared lib density",

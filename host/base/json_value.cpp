@@ -94,6 +94,11 @@ int JsonValue::as_integer(int lo, int hi) const {
   return static_cast<int>(v);
 }
 
+bool JsonValue::as_flag() const {
+  if (!json_->is_boolean()) fail("expected true or false" + got());
+  return json_->get<bool>();
+}
+
 std::string JsonValue::as_string() const {
   if (!json_->is_string()) fail("expected a string" + got());
   return json_->get<std::string>();
@@ -151,6 +156,7 @@ double JsonValue::number(const std::string& key, double fallback, const Range& r
 int JsonValue::integer(const std::string& key, int fallback, int lo, int hi) const {
   return has(key) ? get(key).as_integer(lo, hi) : fallback;
 }
+bool JsonValue::flag(const std::string& key, bool fallback) const { return has(key) ? get(key).as_flag() : fallback; }
 glm::dvec3 JsonValue::vec3(const std::string& key, const glm::dvec3& fallback, const Range& range) const {
   return has(key) ? get(key).as_vec3(range) : fallback;
 }

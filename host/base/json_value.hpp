@@ -47,6 +47,7 @@ class JsonValue {
   // The value itself. Numbers beyond the range of float are refused in any range that does not name a larger one.
   double as_number(const Range& range) const;
   int as_integer(int lo, int hi) const;
+  bool as_flag() const;
   std::string as_string() const;
   glm::dvec3 as_vec3(const Range& range) const;                 // 3 numbers
   glm::dvec3 as_color(const Range& range) const;                // 3 numbers, or 1 for a grey triple
@@ -65,6 +66,7 @@ class JsonValue {
   // Members with a default for an absent key.
   double number(const std::string& key, double fallback, const Range& range) const;
   int integer(const std::string& key, int fallback, int lo, int hi) const;
+  bool flag(const std::string& key, bool fallback) const;
   glm::dvec3 vec3(const std::string& key, const glm::dvec3& fallback, const Range& range = Range::any()) const;
   glm::dvec3 color(const std::string& key, const glm::dvec3& fallback, const Range& range) const;
   int member(const std::string& key, int fallback, const Family& family, const char* what) const;

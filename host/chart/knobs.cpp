@@ -204,7 +204,7 @@ SceneDesc exact_desc(const SceneDesc& desc, int spp) {
   exact.render.storage = STORAGE_F32;
   exact.render.in_scattering = IN_SCATTERING_GAUSS2;
   exact.render.roulette = 0;
-  if (exact.lights.size() <= LIGHTS_ALL) exact.render.light_samples = 0;
+  if (exact.lights.size() <= LIGHTS_ALL) exact.render.light_picks = 0;
   return exact;
 }
 

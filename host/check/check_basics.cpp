@@ -1,4 +1,5 @@
 // Struct layout, random numbers, camera, phase functions, lights.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -150,9 +151,13 @@ CheckCompare phase_prepare(int phase, double g, int size) {
   };
 }
 
+// The lights of a scene of one type, or surfaces that emit, each shape in its turn.
 CheckCompare light_prepare(int type, int size) {
   return [type, items = size * size](Context& context, int lanes, ErrorSum& sum) {
-    const PlannedScene scene = row_scene(lights_desc(type), "light", 8, std::max(lanes, 4));
+    PlannedScene scene = type == LIGHT_SURFACE ? check_scene("area_lights", 8, std::max(lanes, 4))
+                                               : row_scene(lights_desc(type), "light", 8, std::max(lanes, 4));
+    const auto other = [&](const Light& light) { return light.type != type; };
+    scene.lights.erase(std::remove_if(scene.lights.begin(), scene.lights.end(), other), scene.lights.end());
     CheckRandom random;
     std::vector<float> in;
     std::vector<dvec3> points;
@@ -163,7 +168,8 @@ CheckCompare light_prepare(int type, int size) {
     }
     const std::vector<float> found = Probe(context, scene, lanes).run("probe_light", in, 4, 7);
     for (int i = 0; i < items; ++i) {
-      const auto expected = reference::light_at(scene.lights[i % scene.lights.size()], points[i]);
+      const auto expected = reference::light_at(scene, scene.lights[i % scene.lights.size()], points[i],
+                                                {static_cast<uint>(i), 0, scene.frame.seed});
       add3(sum, &found[7 * i], expected.travel);
       add3(sum, &found[7 * i + 3], expected.irradiance);
       sum.add(found[7 * i + 6], expected.distance);
@@ -191,6 +197,7 @@ std::vector<Check> basic_checks() {
   for (const FamilyRow& row : light_family())
     checks.push_back(
         {"light/" + std::string(row.name), "light", [type = row.id](int size) { return light_prepare(type, size); }});
+  checks.push_back({"light/surface", "light", [](int size) { return light_prepare(LIGHT_SURFACE, size); }});
   return checks;
 }
 

@@ -134,7 +134,7 @@ Json info_scene(const Path& file) {
           {"kind", "scene"},
           {"size", {desc.film.size.x, desc.film.size.y}},
           {"spp", desc.film.spp},
-          {"lights", flat.lights.size()},
+          {"lights", flat.light_sources.size()},
           {"materials", desc.materials.size()},
           {"textures", flat.textures.size()},
           {"shapes", flat.shapes.size()},

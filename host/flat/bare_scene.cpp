@@ -134,7 +134,9 @@ SceneDesc scene_of_mesh(const std::filesystem::path& file, ivec2 film, LoadedSce
   desc.background = dvec3(0.06, 0.08, 0.11);
   desc.ambient = dvec3(0.15);
   desc.camera = camera_frame(bounds, film);
-  desc.lights.push_back(key_light(desc.camera, 3));
+  const auto emits = [](const MeshMaterial& m) { return m.emission != dvec3(0); };
+  if (std::none_of(mesh.materials.begin(), mesh.materials.end(), emits))  // else it has its own lights
+    desc.lights.push_back(key_light(desc.camera, 3));
   MeshDesc shape;
   shape.file = file;
   desc.shapes.push_back({shape, -1, "/shapes/0"});

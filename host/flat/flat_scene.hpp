@@ -35,9 +35,7 @@ struct FlatScene {
   glm::dvec3 world(const glm::dvec3& point) const { return point * unit + origin; }
   Bounds bounds;  // of everything finite, in the world; empty where nothing is
 
-  std::vector<Light> lights;
-  // Where lights are chosen, light l is picked from [l] up to [l + 1] of [0, 1].
-  std::vector<float> light_shares;
+  std::vector<Light> light_sources;  // those of the scene file, then surfaces that emit, at one point each
   std::vector<Material> materials;
   std::vector<Texture> textures;
   std::vector<float> texels;  // 3 per texel, linear RGB

@@ -53,6 +53,7 @@ FlatScene scene_flatten(const SceneDesc& desc, LoadedScene& loaded, int bvh_widt
   flatten_lights(desc, scene);
   flatten_materials(desc, loaded, shapes, scene);
   flatten_shapes(shapes, scene);
+  flatten_emitters(desc, scene);
   flatten_media(media, loaded.needed_again, scene);
   return scene;
 }

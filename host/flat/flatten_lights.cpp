@@ -1,10 +1,10 @@
-// Lights, and where there are many, by which share each is chosen.
+// Lights of the scene file, and surfaces that emit.
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
-#include <numeric>
 
 #include "flat/flatten_parts.hpp"
 
@@ -40,52 +40,92 @@ Light light_flatten(const LightDesc& l, const FlatScene& scene) {
   return light;
 }
 
-// About the irradiance that a light brings to the scene.
-double power_of(const Light& l) {
-  const double intensity = std::max({l.intensity.x, l.intensity.y, l.intensity.z});
-  if (l.type == LIGHT_DIRECTIONAL || l.falloff == FALLOFF_NONE) return intensity;
-  const double squared =
-      double(l.position.x) * l.position.x + double(l.position.y) * l.position.y + double(l.position.z) * l.position.z;
-  return intensity / std::max(1.0, squared);
+// The middle and the area of a shape that emits; no area: it is no light.
+struct Extent {
+  dvec3 middle{0};
+  double area = 0;
+};
+
+Extent box_extent(const Affine& unit_from_world) {
+  dmat4 m(1.0);
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column) m[column][row] = unit_from_world.m[4 * row + column];
+  const dmat4 world_from_unit = glm::inverse(m);
+  const dvec3 x(world_from_unit[0]), y(world_from_unit[1]), z(world_from_unit[2]);
+  const double faces = glm::length(glm::cross(x, y)) + glm::length(glm::cross(y, z)) + glm::length(glm::cross(z, x));
+  return {dvec3(world_from_unit * glm::dvec4(0.5, 0.5, 0.5, 1)), 2 * faces};
 }
 
-// Every third bit of a number of 10 bits, from the lowest on.
-std::uint32_t spread(std::uint32_t v) {
-  v = (v | (v << 16)) & 0x030000FFu;
-  v = (v | (v << 8)) & 0x0300F00Fu;
-  v = (v | (v << 4)) & 0x030C30C3u;
-  return (v | (v << 2)) & 0x09249249u;
-}
-
-// Place along a curve that visits neighbours soon after each other [Morton66].
-std::uint32_t curve_place(const Light& l) {
-  const auto cell = [](float x) { return static_cast<std::uint32_t>(std::clamp((x + 4.0) * 128, 0.0, 1023.0)); };
-  return spread(cell(l.position.x)) | spread(cell(l.position.y)) << 1 | spread(cell(l.position.z)) << 2;
-}
-
-// Half of it by power, half evenly, so that no light that is near somewhere is missed for long. In the order of a curve
-// through space: picks at even distances are then spread over the scene as well.
-void shares_fill(FlatScene& scene) {
-  if (scene.lights.size() > LIGHTS_ENUMERATED)
-    std::stable_sort(scene.lights.begin(), scene.lights.end(),
-                     [](const Light& a, const Light& b) { return curve_place(a) < curve_place(b); });
-  const double total = std::accumulate(scene.lights.begin(), scene.lights.end(), 0.0,
-                                       [](double sum, const Light& l) { return sum + power_of(l); });
-  const double count = static_cast<double>(scene.lights.size());
-  double sum = 0;
-  scene.light_shares.push_back(0);
-  for (const Light& l : scene.lights) {
-    sum += total > 0 ? 0.5 / count + 0.5 * power_of(l) / total : 1 / count;
-    scene.light_shares.push_back(static_cast<float>(sum));
+// data: shared/shape.h
+Extent extent_of(const Shape& shape) {
+  const float* d = shape.data;
+  const dvec3 first(d[0], d[1], d[2]), second(d[3], d[4], d[5]), third(d[6], d[7], d[8]);
+  switch (shape.type) {
+    case SHAPE_SPHERE:
+      return {first, 4 * M_PI * d[3] * d[3]};
+    case SHAPE_CYLINDER:
+      return {first + 0.5 * d[6] * second, 2 * M_PI * d[7] * (double(d[6]) + d[7])};
+    case SHAPE_QUAD: {
+      const dvec3 fourth(d[9], d[10], d[11]), along = glm::cross(fourth, second), across = glm::cross(second, third);
+      const dvec3 u = along / glm::dot(third, along), v = across / glm::dot(fourth, across);
+      return {first + 0.5 * (u + v), glm::length(glm::cross(u, v))};
+    }
+    case SHAPE_BOX: {
+      Affine a;
+      std::copy(d, d + 12, a.m);
+      return box_extent(a);
+    }
+    default:
+      return {};
   }
-  scene.light_shares.back() = 1;
+}
+
+Extent extent_of(const Triangle& t) {
+  const auto corner = [&](int i) { return dvec3(t.p[i].x, t.p[i].y, t.p[i].z); };
+  const dvec3 a = corner(0), b = corner(1), c = corner(2);
+  return {(a + b + c) / 3.0, 0.5 * glm::length(glm::cross(b - a, c - a))};
+}
+
+bool is_lit(const Packed3& emission) { return emission.x > 0 || emission.y > 0 || emission.z > 0; }
+
+void source_add(int primitive, const Packed3& emission, const Extent& extent, FlatScene& scene) {
+  Light light{};
+  light.type = LIGHT_SURFACE;
+  light.primitive = primitive;
+  light.points = 1;
+  light.intensity = emission;
+  light.position = packed(extent.middle);
+  light.outer = static_cast<float>(extent.area);
+  scene.light_sources.push_back(light);
 }
 
 }  // namespace
 
 void flatten_lights(const SceneDesc& desc, FlatScene& scene) {
-  for (const LightDesc& l : desc.lights) scene.lights.push_back(light_flatten(l, scene));
-  shares_fill(scene);
+  for (const LightDesc& l : desc.lights) scene.light_sources.push_back(light_flatten(l, scene));
+}
+
+void flatten_emitters(const SceneDesc& desc, FlatScene& scene) {
+  const auto lights_up = [&](int material) {
+    const auto i = static_cast<std::size_t>(material);
+    return is_lit(scene.materials[i].emission) && (i >= desc.materials.size() || desc.materials[i].is_light);
+  };
+  const auto emission = [&](int material) { return scene.materials[static_cast<std::size_t>(material)].emission; };
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+    const Shape& shape = scene.shapes[i];
+    if (!lights_up(shape.material)) continue;
+    const Extent extent = extent_of(shape);
+    if (extent.area > 0) {
+      source_add(static_cast<int>(i), emission(shape.material), extent, scene);
+    } else {
+      note_once(scene.notes, "a surface without bounds that emits is seen and lights nothing");
+    }
+  }
+  for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
+    const Triangle& t = scene.triangles[i];
+    if (lights_up(t.material))
+      source_add(FIRST_TRIANGLE + static_cast<int>(i), emission(t.material), extent_of(t), scene);
+  }
 }
 
 }  // namespace brume

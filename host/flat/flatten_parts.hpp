@@ -46,6 +46,8 @@ void note_once(std::vector<std::string>& notes, const std::string& note);
 LoadedShapes load_shapes(const SceneDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes);
 
 void flatten_lights(const SceneDesc& desc, FlatScene& scene);
+// Surfaces that emit become lights too; needs the materials, shapes and triangles.
+void flatten_emitters(const SceneDesc& desc, FlatScene& scene);
 void flatten_materials(const SceneDesc& desc, LoadedScene& loaded, LoadedShapes& shapes, FlatScene& scene);
 void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene);
 // needed_again: LoadedScene's; where nobody needs them again, grids give their memory back on the way.

@@ -18,8 +18,10 @@ using glm::ivec3;
 bool wants_light_grids(const SceneDesc& desc, const Medium& m, const RenderPlan& plan) {
   // Where lights are chosen, a grid for every light is what choosing spares.
   const bool chosen = plan.frame.light_picks < plan.frame.light_count;
+  const bool extended = plan_lights_extend(plan);  // light comes from a place that each ray chooses for itself
   const bool scatters = std::max({m.sigma_s.x, m.sigma_s.y, m.sigma_s.z}) > 0;
-  return desc.render.shadow == SHADOW_GRID && !m.is_constant && !desc.lights.empty() && scatters && !chosen;
+  return desc.render.shadow == SHADOW_GRID && !m.is_constant && !plan.lights.empty() && scatters && !chosen &&
+         !extended;
 }
 
 dmat4 matrix(const Affine& a) {
@@ -108,12 +110,12 @@ LightGrid grid_along(const Lattice& lattice, const dvec3& travel) {
 
 }  // namespace
 
-int light_grids_append(const SceneDesc& desc, const Medium& medium, const FlatScene& scene, RenderPlan& plan) {
+int light_grids_append(const SceneDesc& desc, const Medium& medium, RenderPlan& plan) {
   if (!wants_light_grids(desc, medium, plan)) return -1;
   const Lattice lattice = lattice_of(medium, desc.render.light_grid);
   const dmat4 cell_from_world = matrix(medium.cell_from_world);
   const int first = static_cast<int>(plan.light_grids.size());
-  for (const Light& light : scene.lights) {
+  for (const Light& light : plan.lights) {
     const dvec3 travel(light.direction.x, light.direction.y, light.direction.z);
     LightGrid grid = light.type == LIGHT_DIRECTIONAL ? grid_along(lattice, transform_dir(cell_from_world, travel))
                                                      : grid_upright(lattice);

@@ -68,6 +68,13 @@ void plan_camera(const SceneDesc& desc, const FlatScene& scene, Frame& frame) {
   frame.ambient = packed(desc.ambient);
   frame.roulette = static_cast<float>(desc.render.roulette);
   frame.max_depth = desc.render.max_depth;
+  if (desc.render.integrator == INTEGRATOR_AMBIENT_OCCLUSION) {
+    frame.max_depth = 0;
+    frame.directions = desc.render.directions;
+    frame.occlusion_rotates = desc.render.rotate;
+    frame.occlusion_reach =
+        static_cast<float>(desc.render.distance.value_or(std::numeric_limits<double>::infinity()) / scene.unit);
+  }
   frame.seed = static_cast<uint>(desc.render.seed);
 }
 

@@ -9,13 +9,14 @@ namespace brume {
 // Camera, film and what "render" says of rays.
 void plan_camera(const SceneDesc& desc, const FlatScene& scene, Frame& frame);
 
-// How many lights a point asks: render.light_samples, see shared/light.h. Throws InputError where they are too many.
-int plan_light_picks(const SceneDesc& desc, const FlatScene& scene);
+// Which lights a point asks, how many of them, and by which share each is chosen (shared/light.h). Throws InputError
+// where they are too many.
+void plan_lights(const SceneDesc& desc, const FlatScene& scene, RenderPlan& plan);
 
 // The light grids of a medium to which they pay, one per light (shared/light_grid.h): the number of the first, -1 for
 // none. Needs the medium's geometry and coefficients, and the lights.
 // Throws InputError where they have more entries than kernels count.
-int light_grids_append(const SceneDesc& desc, const Medium& medium, const FlatScene& scene, RenderPlan& plan);
+int light_grids_append(const SceneDesc& desc, const Medium& medium, RenderPlan& plan);
 
 // What `adaptive` needs to know of a medium, for this tolerance; adds to RenderPlan::piece_rates.
 void adaptive_plan(double tolerance, const FlatScene& scene, std::size_t medium, RenderPlan& plan);

@@ -51,23 +51,13 @@ void plan_media(const SceneDesc& desc, const FlatScene& flat, RenderPlan& plan) 
     plan.walks.push_back(walk_plan(desc, *rows[i].desc, flat, i));
     if (method_has_tolerance(plan.walks.back().method))
       adaptive_plan(rows[i].desc->tolerance.value_or(desc.render.tolerance), flat, i, plan);
-    plan.walks.back().light_grids = light_grids_append(desc, medium_of(flat, plan.walks.back(), i), flat, plan);
+    plan.walks.back().light_grids = light_grids_append(desc, medium_of(flat, plan.walks.back(), i), plan);
     plan.draws |= 1u << method_draws(plan.walks.back().method);
   }
   plan.frame.takes_ends = !((plan.draws >> DRAWS_COLLISIONS) & 1u);
 }
 
 }  // namespace
-
-int plan_light_picks(const SceneDesc& desc, const FlatScene& scene) {
-  const int lights = static_cast<int>(scene.lights.size()), wanted = desc.render.light_samples;
-  const int picks = wanted == LIGHT_SAMPLES_AUTO ? (lights <= LIGHTS_ENUMERATED ? lights : LIGHT_PICKS)
-                                                 : (wanted == 0 ? lights : std::min(wanted, lights));
-  if (picks > LIGHT_PICKS_MAX)
-    throw InputError(desc.file.string() + ": /render/light_samples: 0 asks all " + std::to_string(lights) +
-                     " lights at every point; at most " + std::to_string(LIGHT_PICKS_MAX) + " are allowed");
-  return picks;
-}
 
 Medium medium_of(const FlatScene& flat, const MediumWalk& walk, std::size_t medium) {
   const PlacedGrid& placed = flat.placed[static_cast<std::size_t>(medium_placed(flat.media[medium]))];
@@ -80,8 +70,7 @@ RenderPlan plan_render(const SceneDesc& desc, const FlatScene& flat, const PlanO
   RenderPlan plan;
   plan_camera(desc, flat, plan.frame);
   plan.frame.in_scattering = in_scattering_resolve(desc);
-  plan.frame.light_count = static_cast<int>(flat.lights.size());
-  plan.frame.light_picks = plan_light_picks(desc, flat);
+  plan_lights(desc, flat, plan);
   plan.frame.shape_count = static_cast<int>(flat.shapes.size());
   plan.frame.triangle_count = static_cast<int>(flat.triangles.size());
   plan.frame.medium_count = static_cast<int>(flat.media.size());

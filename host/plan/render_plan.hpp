@@ -23,6 +23,9 @@ struct StoredVoxels {
 
 struct RenderPlan {
   Frame frame{};
+  std::vector<Light> lights;  // what a point may ask: the sources, each surface that emits once for each of its points
+  // Where lights are chosen, light l is picked from [l] up to [l + 1] of [0, 1].
+  std::vector<float> light_shares;
   std::vector<MediumWalk> walks;       // one per medium
   unsigned draws = 0;                  // bit DRAWS_x of every method in use
   std::vector<float> piece_rates;      // of `adaptive`, PIECE_ROW for every stored brick
@@ -32,6 +35,9 @@ struct RenderPlan {
   std::shared_ptr<const StoredVoxels> stored;  // where they are packed already; null: not yet, or f32
   std::vector<std::string> plan_notes;         // what a user should be told of it
 };
+
+// Whether a light has an area, so that each ray asks other places of it.
+bool plan_lights_extend(const RenderPlan& plan);
 
 struct PlanOptions {
   std::array<int, 4> crop{0, 0, 0, 0};  // x0, y0, x1, y1 in pixels; empty: the whole film

@@ -1,8 +1,10 @@
-// Point, spot and directional lights, as kernels/shared/light.h defines them.
+// Lights, as kernels/shared/light.h defines them.
 #include "reference/light.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "reference/emitter.hpp"
 
 namespace brume::reference {
 namespace {
@@ -39,9 +41,10 @@ std::vector<LightPick> light_picks(const PlannedScene& scene, const RandomStream
 }
 static_assert(LIGHT_COUNT == 3 && FALLOFF_COUNT == 2, "light_at knows all");
 
-LightSample light_at(const Light& light, const dvec3& point) {
+LightSample light_at(const PlannedScene& scene, const Light& light, const dvec3& point, const RandomStream& random) {
   const dvec3 intensity = vec_promote(light.intensity);
-  if (light.type == LIGHT_DIRECTIONAL) return {vec_unit(vec_promote(light.direction)), intensity, INFINITE};
+  if (light.type == LIGHT_SURFACE) return emitter_at(scene, light, point, random);
+  if (light.type == LIGHT_DIRECTIONAL) return {vec_unit(vec_promote(light.direction)), intensity, INFINITE, INFINITE};
 
   // in the light's own length
   const dvec3 from_light = point * std::exp2(-light.exponent) - vec_promote(light.position);
@@ -50,7 +53,8 @@ LightSample light_at(const Light& light, const dvec3& point) {
   const dvec3 travel = from_light / distance;
   const double share = light.type == LIGHT_SPOT ? spot_share(light, travel) : 1;
   const double falloff = light.falloff == FALLOFF_INVERSE_SQUARE ? 1 / (distance * distance) : 1;
-  return {travel, intensity * (share * falloff), distance * std::exp2(light.exponent)};
+  const double way = distance * std::exp2(light.exponent);
+  return {travel, intensity * (share * falloff), way, way};
 }
 
 }  // namespace brume::reference

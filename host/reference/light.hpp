@@ -13,6 +13,7 @@ struct LightSample {
   dvec3 travel{0};      // unit direction in which the light travels at the point
   dvec3 irradiance{0};  // E at normal incidence
   double distance = 0;  // to the light; infinite for a directional one
+  double reach = 0;     // surfaces nearer than this block it: one that is a light is none of them itself
   bool shines() const { return irradiance.x > 0 || irradiance.y > 0 || irradiance.z > 0; }
 };
 
@@ -24,7 +25,8 @@ struct LightPick {
 };
 std::vector<LightPick> light_picks(const PlannedScene& scene, const RandomStream& random, uint n, bool all = false);
 
-// At the very position of a point or spot light there is no direction: E is 0 there.
-LightSample light_at(const Light& light, const dvec3& point);
+// At the very position of a point or spot light there is no direction: E is 0 there. random: of the ray, says which
+// place of a surface that emits is asked.
+LightSample light_at(const PlannedScene& scene, const Light& light, const dvec3& point, const RandomStream& random);
 
 }  // namespace brume::reference

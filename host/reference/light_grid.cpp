@@ -65,7 +65,7 @@ void column_fill(const Context& context, const Medium& medium, std::size_t light
     const Crossing crossing = crossing_of(medium, grid, column, k);
     if (crossing.moved) before = nullptr;
     dvec3& here = tau[index_of(grid, column.u, column.v, k)];
-    const LightSample sample = light_at(context.scene.lights[light], crossing.point);
+    const LightSample sample = light_at(context.scene, context.scene.lights[light], crossing.point, random);
     double lookups = 0;
     if (sample.shines())
       here = (before ? *before : dvec3(0)) + media_tau(context, {crossing.point, -sample.travel},

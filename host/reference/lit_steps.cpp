@@ -86,7 +86,7 @@ double step_at(const Context& context, const Medium& medium, const RayD& ray, co
   bool lit = kinks.full();  // a cone may have been left out
   double longest = medium.step;
   for (const Light& light : context.scene.lights) {
-    if (is_near_spot(light) && !light_at(light, middle).shines()) continue;
+    if (is_near_spot(light) && !light_at(context.scene, light, middle, {}).shines()) continue;
     lit = true;
     if (light.type != LIGHT_DIRECTIONAL && !is_far(light))
       longest = std::min(longest, 0.1 * light_apart(medium, light, ray, t));

@@ -30,14 +30,38 @@ Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& 
   uint n = 0;
   for (const LightPick& pick : light_picks(scene, random, 0, context.exact())) {
     const RandomStream shadow = random.child(STREAM_LIGHT + n++);
-    const dvec3 to_light = -light_at(scene.lights[pick.light], surface.point).travel;
+    const dvec3 to_light = -light_at(scene, scene.lights[pick.light], surface.point, random).travel;
     if (!(glm::dot(surface.normal, to_light) > 0)) continue;
     const dvec3 origin = surface_leave(surface, to_light);
-    const Arrival arrival = light_arrival(context, pick.light, surface.point, origin, shadow, lookups);
+    const Arrival arrival = light_arrival(context, pick.light, surface.point, origin, random, shadow, lookups);
     if (arrival.blocked) continue;
     lit.lights |= 1u << (pick.light % 32);
     lit.radiance += pick.weight * arrival.irradiance * surface_reflect(scene, surface, view_dir, arrival.light.travel);
   }
+  return lit;
+}
+
+// 1/π ∫ V cosθ over the spiral of Fibonacci.
+Lit ambient_occlusion(const Context& context, const SurfaceD& surface, const RandomStream& random) {
+  const Frame& frame = context.scene.frame;
+  const uint golden = 2654435769u, width = static_cast<uint>(frame.camera.width);
+  const uint first = frame.occlusion_rotates ? random.pixel % width * 3242174889u + random.pixel / width * 2447445414u +
+                                                   random.sample * golden
+                                             : 0u;
+  const auto side = vec_beside(surface.normal);
+  double open = 0;
+  Lit lit{};
+  for (int i = 0; i < frame.directions; ++i) {
+    const double cosine = 1 - (2 * i + 1) / (2.0 * frame.directions), sine = std::sqrt(1 - cosine * cosine);
+    const double angle = 2 * M_PI * ((first + static_cast<uint>(i) * golden) >> 8) * 0x1p-24;
+    const dvec3 dir = cosine * surface.normal + sine * (std::cos(angle) * side[0] + std::sin(angle) * side[1]);
+    const bool sees =
+        glm::dot(dir, surface.geometric_normal) > 0 &&
+        !occluded(context.scene, context.bounds, {surface_leave(surface, dir), dir}, double(frame.occlusion_reach));
+    if (sees) open += cosine;
+    lit.lights = lit.lights * 31u + sees;
+  }
+  lit.radiance = dvec3(2 * open / frame.directions);
   return lit;
 }
 
@@ -180,15 +204,16 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
     return sample;
   }
   const SurfaceD surface = surface_at(scene, ray, hit);
-  const Lit lit = surface_light(context, surface, ray.dir, random, sample.lookups);
+  const Lit lit = scene.frame.directions > 0 ? ambient_occlusion(context, surface, random)
+                                             : surface_light(context, surface, ray.dir, random, sample.lookups);
   sample.normal = surface.normal;
   sample.depth = hit.t;
   sample.hits = 1;
   sample.radiance = media.radiance + sample.transmittance * lit.radiance;
   sample.error = error_of(media, sample.transmittance * lit.radiance, path.weight);
-  sample.key =
-      sample_key(hit.primitive, lit.lights, walked(context, media.shadow_key, sample.lookups), surface.second) *
-      static_cast<uint>(2 * path.depth + 1);
+  sample.key = sample_key(hit.primitive, lit.lights, walked(context, media.shadow_key, sample.lookups),
+                          scene.frame.directions > 0 ? 0 : surface.second) *
+               static_cast<uint>(2 * path.depth + 1);
   specular_add(context, surface, ray, path, sample);
   return sample;
 }

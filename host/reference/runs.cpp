@@ -54,14 +54,16 @@ class LightRun {
   }
 
  private:
-  LightSample sample_at(std::size_t i) const { return light_at(context_.scene.lights[light_], ray_.at(points_[i].t)); }
+  LightSample sample_at(std::size_t i) const {
+    return light_at(context_.scene, context_.scene.lights[light_], ray_.at(points_[i].t), points_[i].places);
+  }
 
   void ask(std::size_t i) {
     const LightSample sample = sample_at(i);
     passed_[i] = dvec3(1);
     if (sample.distance == 0) return;
     const RayD shadow{ray_.at(points_[i].t), -sample.travel};
-    if (occluded(context_.scene, context_.bounds, shadow, sample.distance)) {
+    if (occluded(context_.scene, context_.bounds, shadow, sample.reach)) {
       passed_[i] = dvec3(0);
       result_.shadow_key += static_cast<uint>(light_ + 1);
       return;

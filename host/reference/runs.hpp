@@ -10,6 +10,7 @@ struct RunPoint {
   double t;
   dvec3 gain;           // ∫ρT that it stands for
   RandomStream random;  // of its segment
+  RandomStream places;  // of the ray, for lights with an area
 };
 
 inline constexpr std::size_t RUN_POINTS = 64;

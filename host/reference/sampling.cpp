@@ -57,10 +57,14 @@ uint sobol(uint index, int dimension) {
   return digits;
 }
 
+dvec2 sobol_scrambled(uint index, uint pixel, uint sample, uint seed) {
+  return {uniform(owen_scrambled(sobol(index, 0), rng_bits(pixel, sample, 0, seed))),
+          uniform(owen_scrambled(sobol(index, 1), rng_bits(pixel, sample, 1, seed)))};
+}
+
 dvec2 pixel_position(uint pixel, uint sample, int spp, uint seed) {
   if (spp <= 1) return {0.5, 0.5};
-  return {uniform(owen_scrambled(sobol(sample, 0), rng_bits(pixel, 0, 0, seed))),
-          uniform(owen_scrambled(sobol(sample, 1), rng_bits(pixel, 0, 1, seed)))};
+  return sobol_scrambled(sample, pixel, 0, seed);
 }
 
 static_assert(CAMERA_COUNT == 2, "camera_ray knows all");

@@ -14,6 +14,8 @@ double rng_uniform(uint pixel, uint sample, uint dimension, uint seed);
 
 // Point `index` of Sobol's sequence in dimension 0 or 1, times 2³² [Sobol67].
 uint sobol(uint index, int dimension);
+// Point `index` of it, scrambled by rng_bits(pixel, sample, dimension, seed): two numbers in [0, 1).
+dvec2 sobol_scrambled(uint index, uint pixel, uint sample, uint seed);
 
 // Position of sample `sample` within its pixel, (0,0) the pixel's top left corner: multiples of 2⁻²⁴ in [0,1), the
 // centre where spp is 1 [Burley20] [Vegdahl21]. Depends on spp in nothing else.

@@ -77,12 +77,12 @@ Context::Context(const PlannedScene& flat, const Options& options)
 }
 
 Arrival light_arrival(const Context& context, std::size_t index, const dvec3& point, const dvec3& ray_origin,
-                      const RandomStream& random, double& lookups, const dvec3* media) {
+                      const RandomStream& places, const RandomStream& random, double& lookups, const dvec3* media) {
   const Light& light = context.scene.lights[index];
-  Arrival arrival{light_at(light, point), false, dvec3(0)};
+  Arrival arrival{light_at(context.scene, light, point, places), false, dvec3(0)};
   if (arrival.light.distance == 0) return arrival;
   const RayD shadow{ray_origin, -arrival.light.travel};
-  arrival.blocked = occluded(context.scene, context.bounds, shadow, arrival.light.distance);
+  arrival.blocked = occluded(context.scene, context.bounds, shadow, arrival.light.reach);
   if (arrival.blocked || !arrival.light.shines()) return arrival;
   const dvec3 tau = media ? *media : media_tau(context, shadow, arrival.light.distance, random, lookups);
   arrival.irradiance = arrival.light.irradiance * transmittance_of(tau);
@@ -90,7 +90,7 @@ Arrival light_arrival(const Context& context, std::size_t index, const dvec3& po
 }
 
 Scattered media_scatter(const Context& context, const RayD& ray, double t_max, const RandomStream& random) {
-  if (context.exact()) return media_scatter_exact(context, ray, t_max);
+  if (context.exact()) return media_scatter_exact(context, ray, t_max, random);
   Scattered result;
   for (int medium = 0; medium < static_cast<int>(context.media.size()); ++medium) {
     medium_scatter(context, medium, ray, t_max, random, result);

@@ -56,9 +56,11 @@ struct Arrival {
   bool blocked;      // by a surface
   dvec3 irradiance;  // E·V·T_light
 };
-// `random` is that of the shadow ray. media: τ of all media to the light where it is known already.
+// `places` are the numbers of the ray, for lights with an area; `random` is that of the shadow ray. media: τ of all
+// media to the light where it is known already.
 Arrival light_arrival(const Context& context, std::size_t light, const dvec3& point, const dvec3& ray_origin,
-                      const RandomStream& random, double& lookups, const dvec3* media = nullptr);
+                      const RandomStream& places, const RandomStream& random, double& lookups,
+                      const dvec3* media = nullptr);
 
 struct Scattered {
   dvec3 radiance{0};    // as it arrives at the ray's origin

@@ -26,12 +26,11 @@ struct Piece {
 };
 
 // Which lights shine on a point, whatever the media leave of them.
-std::vector<bool> lit_at(const Context& context, const dvec3& point) {
+std::vector<bool> lit_at(const Context& context, const dvec3& point, const RandomStream& random) {
   std::vector<bool> lit;
   for (const Light& light : context.scene.lights) {
-    const LightSample sample = light_at(light, point);
-    lit.push_back(sample.shines() &&
-                  !occluded(context.scene, context.bounds, {point, -sample.travel}, sample.distance));
+    const LightSample sample = light_at(context.scene, light, point, random);
+    lit.push_back(sample.shines() && !occluded(context.scene, context.bounds, {point, -sample.travel}, sample.reach));
   }
   return lit;
 }
@@ -40,20 +39,21 @@ constexpr int LIT_SAMPLES = 256;  // along a ray; a shadow that lies between two
 constexpr int LIT_HALVINGS = 32;
 
 // Adds where along [t0, t1] a light begins or ends to shine: edges of shadows and cones, over which no quadrature goes.
-void lit_borders(const Context& context, const RayD& ray, double t0, double t1, std::vector<double>& borders) {
+void lit_borders(const Context& context, const RayD& ray, const RandomStream& random, double t0, double t1,
+                 std::vector<double>& borders) {
   const bool cones = std::any_of(context.scene.lights.begin(), context.scene.lights.end(),
                                  [](const Light& light) { return light.type == LIGHT_SPOT; });
   if (context.scene.shapes.empty() && context.scene.triangles.empty() && !cones) return;
   double before = t0;
-  std::vector<bool> lit = lit_at(context, ray.at(t0));
+  std::vector<bool> lit = lit_at(context, ray.at(t0), random);
   for (int i = 1; i <= LIT_SAMPLES; ++i) {
     const double after = t0 + (t1 - t0) * i / LIT_SAMPLES;
-    std::vector<bool> next = lit_at(context, ray.at(after));
+    std::vector<bool> next = lit_at(context, ray.at(after), random);
     if (next != lit) {
       double lo = before, hi = after;
       for (int halving = 0; halving < LIT_HALVINGS; ++halving) {
         const double middle = 0.5 * (lo + hi);
-        (lit_at(context, ray.at(middle)) == lit ? lo : hi) = middle;
+        (lit_at(context, ray.at(middle), random) == lit ? lo : hi) = middle;
       }
       borders.push_back(hi);
     }
@@ -92,7 +92,7 @@ void light_borders(const Context& context, const RayD& ray, double t0, double t1
   }
 }
 
-std::vector<double> borders_of_all(const Context& context, const RayD& ray, double t_max) {
+std::vector<double> borders_of_all(const Context& context, const RayD& ray, double t_max, const RandomStream& random) {
   std::vector<double> borders;
   for (int i = 0; i < static_cast<int>(context.media.size()); ++i) {
     const Medium& medium = context.media[static_cast<std::size_t>(i)];
@@ -104,7 +104,7 @@ std::vector<double> borders_of_all(const Context& context, const RayD& ray, doub
   if (borders.empty()) return borders;
   const auto ends = std::minmax_element(borders.begin(), borders.end());
   const double first = *ends.first, last = *ends.second;
-  lit_borders(context, ray, first, last, borders);
+  lit_borders(context, ray, random, first, last, borders);
   light_borders(context, ray, first, last, borders);
   std::sort(borders.begin(), borders.end());
   borders.erase(std::unique(borders.begin(), borders.end()), borders.end());
@@ -123,12 +123,12 @@ void pieces_at(const Context& context, const RayD& ray, double t_max, double mid
 
 // Σ_media σs ρ S at one t.
 dvec3 source_of_all(const Context& context, const RayD& ray, const std::vector<Piece>& pieces, double t,
-                    Scattered& result) {
+                    const RandomStream& random, Scattered& result) {
   dvec3 source(0);
   const dvec3 point = ray.at(t);
   for (const Piece& piece : pieces) source += vec_promote(piece.medium->emission) * piece.density(context.scene, t);
   for (std::size_t i = 0; i < context.scene.lights.size(); ++i) {
-    const Arrival arrival = light_arrival(context, i, point, point, {}, result.lookups);
+    const Arrival arrival = light_arrival(context, i, point, point, random, {}, result.lookups);
     const double cosine = glm::dot(arrival.light.travel, -ray.dir);
     for (const Piece& piece : pieces)
       source += vec_promote(piece.medium->sigma_s) * arrival.irradiance *
@@ -150,20 +150,20 @@ double parts_of(const dvec3& tau) { return std::clamp(std::ceil(std::max({tau.x,
 
 // Adds what the pieces scatter and emit over [a, b] and moves result.tau past it.
 void interval_scatter(const Context& context, const RayD& ray, const std::vector<Piece>& pieces, double a, double b,
-                      Scattered& result) {
+                      const RandomStream& random, Scattered& result) {
   for (const QuadratureNode& node : context.nodes) {
     const double t = a + (b - a) * node.x;
     const dvec3 transmittance = transmittance_of(result.tau + pieces_tau(context, pieces, a, t));
-    result.radiance += (node.weight * (b - a)) * transmittance * source_of_all(context, ray, pieces, t, result);
+    result.radiance += (node.weight * (b - a)) * transmittance * source_of_all(context, ray, pieces, t, random, result);
   }
   result.tau += pieces_tau(context, pieces, a, b);
 }
 
 }  // namespace
 
-Scattered media_scatter_exact(const Context& context, const RayD& ray, double t_max) {
+Scattered media_scatter_exact(const Context& context, const RayD& ray, double t_max, const RandomStream& random) {
   Scattered result;
-  const std::vector<double> borders = borders_of_all(context, ray, t_max);
+  const std::vector<double> borders = borders_of_all(context, ray, t_max, random);
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {
     const double a = borders[i], b = borders[i + 1];
@@ -172,7 +172,8 @@ Scattered media_scatter_exact(const Context& context, const RayD& ray, double t_
     const double parts = parts_of(pieces_tau(context, pieces, a, b));
     for (double part = 0; part < parts; ++part) {
       if (std::min({result.tau.x, result.tau.y, result.tau.z}) > TAU_BLACK_D) return result;
-      interval_scatter(context, ray, pieces, a + (b - a) * (part / parts), a + (b - a) * ((part + 1) / parts), result);
+      interval_scatter(context, ray, pieces, a + (b - a) * (part / parts), a + (b - a) * ((part + 1) / parts), random,
+                       result);
     }
   }
   return result;

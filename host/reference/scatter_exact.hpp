@@ -6,6 +6,6 @@
 
 namespace brume::reference {
 
-Scattered media_scatter_exact(const Context& context, const RayD& ray, double t_max);
+Scattered media_scatter_exact(const Context& context, const RayD& ray, double t_max, const RandomStream& random);
 
 }  // namespace brume::reference

@@ -22,12 +22,12 @@ double mean_exp(double x) { return x == 0 ? 1 : -std::expm1(-x) / x; }
 double mean_between(double a, double b) { return std::exp(-std::min(a, b)) * mean_exp(std::abs(b - a)); }
 
 // τ of all media from a point in a medium to a light, by its light grid if it has one.
-dvec3 light_depth(const Context& context, int index, std::size_t light, const dvec3& point, const RandomStream& random,
-                  double& lookups) {
-  const Medium& medium = context.media[static_cast<std::size_t>(index)];
-  const LightDepths& depths = context.light_depths[static_cast<std::size_t>(index)];
+dvec3 light_depth(const Context& context, const Segment& at, std::size_t light, const dvec3& point,
+                  const RandomStream& random, double& lookups) {
+  const Medium& medium = context.media[static_cast<std::size_t>(at.medium)];
+  const LightDepths& depths = context.light_depths[static_cast<std::size_t>(at.medium)];
   if (depths.tau.empty()) {
-    const LightSample sample = light_at(context.scene.lights[light], point);
+    const LightSample sample = light_at(context.scene, context.scene.lights[light], point, at.places);
     return media_tau(context, {point, -sample.travel}, sample.distance, random, lookups);
   }
   ++lookups;
@@ -38,7 +38,7 @@ dvec3 light_depth(const Context& context, int index, std::size_t light, const dv
 dvec3 light_transmittance(const Context& context, const Segment& at, std::size_t light, uint n, const RayD& ray,
                           double& lookups) {
   const auto depth = [&](double t, uint stream) {
-    return light_depth(context, at.medium, light, ray.at(t), at.random.child(stream + n), lookups);
+    return light_depth(context, at, light, ray.at(t), at.random.child(stream + n), lookups);
   };
   if (!at.dense) return transmittance_of(depth(at.t, STREAM_LIGHT));
   // from inside both ends, of which one may lie on a face of a medium along which light travels, and on in a straight
@@ -57,7 +57,7 @@ dvec3 arriving_at(const Context& context, const Segment& at, std::size_t light, 
                   Scattered& result) {
   const Medium& medium = context.media[static_cast<std::size_t>(at.medium)];
   const dvec3 point = ray.at(t), nothing(0);
-  const Arrival arrival = light_arrival(context, light, point, point, {}, result.lookups, &nothing);
+  const Arrival arrival = light_arrival(context, light, point, point, at.places, {}, result.lookups, &nothing);
   if (!arrival.light.shines()) return nothing;
   if (arrival.blocked) result.shadow_key += static_cast<uint>(light + 1);
   if (arrival.irradiance == nothing) return nothing;
@@ -95,7 +95,7 @@ dvec3 light_of_points(const Context& context, const Segment& at, std::size_t lig
     arriving[k] = arriving_at(context, at, light, t, ray, result);
     tau[k] = arriving[k] == dvec3(0)
                  ? dvec3(0)
-                 : light_depth(context, at.medium, light, ray.at(t),
+                 : light_depth(context, at, light, ray.at(t),
                                at.random.child((k ? STREAM_LIGHT_END : STREAM_LIGHT) + n), result.lookups);
   }
   const bool bends = at.bends && arriving[0] != dvec3(0) && arriving[1] != dvec3(0);

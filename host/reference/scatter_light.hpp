@@ -18,6 +18,7 @@ struct Segment {
   RandomStream walk;    // of the walk that it belongs to,
   uint id;              // which number it has there,
   RandomStream random;  // and its own
+  RandomStream places;  // of the ray, for lights with an area
   bool dense = false;
   double begin = 0, end = 0;
   dvec3 depth{0};  // of all media over it

@@ -74,8 +74,8 @@ struct SegmentWalk {
   const Medium& medium;
   int index, method, rule;
   const RayD& ray;
-  RandomStream walk;
-  bool takes_ends;  // no medium is tracked
+  RandomStream walk, places;  // of the walk; of the ray
+  bool takes_ends;            // no medium is tracked
   dvec3 sigma_t, own_tau{0};
   Others others;
   std::vector<DepthAlong> depths;  // of the other media, where none is tracked
@@ -166,7 +166,7 @@ struct SegmentWalk {
     const auto [other_tau, other_depth] = beside(segment);
     const dvec3 depth = sigma_t * segment.density_length + other_depth, before = own_tau + other_tau;
     const bool dense = takes_ends && largest(depth) > dense_from();
-    Segment at{index, segment.sample,  walk,          segment.id, walk.child(segment.id),
+    Segment at{index, segment.sample,  walk,          segment.id, walk.child(segment.id), places,
                dense, segment.t_begin, segment.t_end, depth};
     at.two_points = rule == IN_SCATTERING_GAUSS2;
     at.bends = takes_ends;
@@ -198,8 +198,8 @@ struct SegmentWalk {
     const dvec3 behind = at.second * transmittance_of(at.depth / std::sqrt(3.0)),
                 share = behind / (1 - at.second + behind);
     const double length = at.end - at.begin;
-    run.push_back({at.begin + FIRST_POINT * length, gain * (1.0 - share), at.random});
-    run.push_back({at.begin + (1 - FIRST_POINT) * length, gain * share, at.random});
+    run.push_back({at.begin + FIRST_POINT * length, gain * (1.0 - share), at.random, places});
+    run.push_back({at.begin + (1 - FIRST_POINT) * length, gain * share, at.random, places});
     if (run.size() == RUN_POINTS) run_shine();
   }
 
@@ -236,6 +236,7 @@ void medium_segments(const Context& context, int index, const RayD& ray, double 
       context.method(medium) == METHOD_ADAPTIVE ? int(IN_SCATTERING_GAUSS2) : context.scene.frame.in_scattering,
       ray,
       random.child(static_cast<uint>(index)),
+      random,
       context.scene.frame.takes_ends != 0,
       sigma_t_of(medium),
       dvec3(0),
@@ -268,7 +269,7 @@ void medium_track(const Context& context, int index, const RayD& ray, double t_m
     const CollisionWorth worth = collide(collision, sigma_t, walk, medium.method, transmittance);
     result.lookups += collision.spacing > 0;
     if (worth.weight > 0) {
-      const Segment at{index, collision.t, walk, collision.id, walk.child(collision.id)};
+      const Segment at{index, collision.t, walk, collision.id, walk.child(collision.id), random};
       const dvec3 tau = others.advance(collision.t, at.random.child(STREAM_OTHERS), result.lookups);
       result.radiance += sent_from(context, at, ray, result) * worth.before * transmittance_of(tau) * worth.weight;
     }

@@ -1,6 +1,8 @@
 // Doubles out of the float structs of kernels/shared, and the ray of the reference renderer. Everything that the
 // reference computes is double: floats are promoted here, and directions stored as floats are made unit again.
 #pragma once
+#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -20,6 +22,12 @@ inline constexpr double PI = 3.14159265358979323846264338327950288;
 inline dvec3 vec_promote(const Packed3& p) { return {p.x, p.y, p.z}; }
 inline dvec3 vec_promote(const float* p) { return {p[0], p[1], p[2]}; }
 inline dvec3 vec_unit(const dvec3& v) { return v / glm::length(v); }
+
+// Two unit vectors at right angles to a third and to each other [Duff17, listing 3].
+inline std::array<dvec3, 2> vec_beside(const dvec3& n) {
+  const double sign = std::copysign(1.0, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;
+  return {dvec3(1 + sign * n.x * n.x * a, sign * b, -sign * n.x), dvec3(b, sign + n.y * n.y * a, -n.y)};
+}
 
 inline dvec3 affine_direction(const Affine& a, const dvec3& d) {
   return {glm::dot(vec_promote(a.m), d), glm::dot(vec_promote(a.m + 4), d), glm::dot(vec_promote(a.m + 8), d)};

@@ -35,7 +35,7 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
   const unsigned regions = bits_used(s.placed, [](const PlacedGrid& p) { return p.region; });
   const unsigned phases = bits_used(s.media, [](const MediumBody& m) { return m.phase; });
   const unsigned shapes = bits_used(s.shapes, [](const Shape& shape) { return shape.type; });
-  const unsigned lights = bits_used(s.lights, [](const Light& l) { return l.type; });
+  const unsigned lights = bits_used(plan.lights, [](const Light& l) { return l.type; });
   unsigned rules = 0;
   for (const MediumWalk& w : plan.walks)
     rules |= 1u << (method_has_tolerance(w.method) ? IN_SCATTERING_GAUSS2 : plan.frame.in_scattering);
@@ -54,8 +54,9 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
       {"TRIANGLES", !s.triangles.empty(), 1, "triangles"},
       {"TEXTURED", !s.textures.empty(), 1, "textures"},
       {"SPECULAR", scene_is_specular(s), 1, "mirrors and glass"},
+      {"AMBIENT_OCCLUSION", plan.frame.directions > 0, 1, "ambient occlusion"},
       {"LIGHTS_CHOSEN", plan.frame.light_picks < plan.frame.light_count, 1, "lights chosen at random"},
-      {"LIGHTS_USED", lights, all_bits(LIGHT_COUNT), "lights"},
+      {"LIGHTS_USED", lights, all_bits(LIGHT_TYPES), "lights"},
   };
 }
 

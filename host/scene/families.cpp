@@ -2,6 +2,7 @@
 #include "scene/families.hpp"
 
 #include "scene/scene_desc.hpp"
+#include "shared/frame.h"
 #include "shared/shape.h"
 
 namespace brume {
@@ -20,6 +21,12 @@ FAMILY(light_family, BRUME_LIGHTS)
 #undef ROW
 #define ROW(id, name, help) {FALLOFF_##id, name, help},
 FAMILY(falloff_family, BRUME_FALLOFFS)
+#undef ROW
+#define ROW(id, name, help) {INTEGRATOR_##id, name, help},
+FAMILY(integrator_family, BRUME_INTEGRATORS)
+#undef ROW
+#define ROW(id, name, help) {LIGHT_POINTS_##id, name, help},
+FAMILY(light_points_family, BRUME_LIGHT_POINTS)
 #undef ROW
 #define ROW(id, name, help) {MATERIAL_##id, name, help},
 FAMILY(material_family, BRUME_MATERIALS)

@@ -8,6 +8,8 @@ namespace brume {
 const Family& camera_family();
 const Family& light_family();
 const Family& falloff_family();
+const Family& integrator_family();
+const Family& light_points_family();
 const Family& material_family();
 const Family& texture_family();
 const Family& wrap_family();

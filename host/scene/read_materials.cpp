@@ -39,6 +39,7 @@ MaterialDesc read_material(const std::string& name, const JsonValue& m, const st
   out.diffuse = m.color("diffuse", out.diffuse, Range::at_least_0());
   out.specular = m.color("specular", out.specular, Range::at_least_0());
   out.emission = m.color("emission", out.emission, Range::closed(0, RADIANCE_MAX));
+  out.is_light = m.flag("light", out.is_light);
   out.shininess = m.number("shininess", out.shininess, Range::closed(0, 1e6));
   out.ior = m.number("ior", out.ior, Range::positive());
   out.reflection = m.number("reflection", out.reflection, Range::closed(0, 1));

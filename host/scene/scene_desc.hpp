@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "shared/camera.h"
+#include "shared/frame.h"
 #include "shared/light.h"
 #include "shared/material.h"
 #include "shared/method.h"
@@ -61,6 +62,7 @@ struct MaterialDesc {
   int model = MATERIAL_LAMBERT;
   dvec3 ambient{0}, diffuse{0.5}, specular{0}, emission{0};
   double shininess = 50, reflection = 0, refraction = 0, ior = 1.5;
+  bool is_light = true;  // where it emits: a light to all else
   std::optional<TextureDesc> texture;
 };
 
@@ -153,7 +155,7 @@ struct MediumDesc {
 inline constexpr int METHOD_AUTO = -1;
 inline constexpr int IN_SCATTERING_AUTO = -1;
 inline constexpr int SHADOW_AUTO = -1;
-inline constexpr int LIGHT_SAMPLES_AUTO = -1;
+inline constexpr int LIGHT_PICKS_AUTO = -1;
 
 // How far off a picture is, in one number. ROW(ID, name, help)
 #define BRUME_ERROR_METRICS(ROW)                                                            \
@@ -168,15 +170,21 @@ enum ErrorMetric {
 };
 
 struct RenderDesc {
+  int integrator = INTEGRATOR_WHITTED;
+  int directions = 64;             // of ambient occlusion, as the next two
+  std::optional<double> distance;  // what is further off does not occlude
+  bool rotate = true;              // the directions, from pixel to pixel
   int method = METHOD_AUTO;
   double step = 0.05;       // share of the medium's longest side
   double tolerance = 1e-3;  // of adaptive: how far off a pixel may be, as a share of its light
   int in_scattering = IN_SCATTERING_AUTO;
   int shadow = SHADOW_AUTO;
   int storage = STORAGE_F32;
-  int light_grid = 64;                     // shadow grid: cells of the light grid along the medium's longest side
-  int light_samples = LIGHT_SAMPLES_AUTO;  // how many lights a point asks; 0: all
-  double roulette = 0;                     // transmittance below which view rays end at random; 0: never
+  int light_grid = 64;                 // shadow grid: cells of the light grid along the medium's longest side
+  int light_picks = LIGHT_PICKS_AUTO;  // how many lights a point asks; 0: all
+  int light_samples = 1;               // points on each surface that emits, where all lights are asked
+  int light_points = LIGHT_POINTS_STRATIFIED;
+  double roulette = 0;  // transmittance below which view rays end at random; 0: never
   int max_depth = 5;
   int seed = 0;
   std::optional<double> max_error;    // settings of the media are chosen that reach it soonest, in error_metric,

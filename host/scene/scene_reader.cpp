@@ -17,6 +17,7 @@ constexpr int LIGHT_GRID_MAX = 1024;
 
 constexpr std::size_t FILE_BYTES_MAX = 64u << 20;
 constexpr int FILM_SIDE_MAX = 65536;
+constexpr int DIRECTIONS_MAX = 1 << 16;
 constexpr double STEPS_MAX = 1e5;        // along the medium's longest side
 constexpr double INTENSITY_MAX = 1e100;  // W/sr of a light inverse to the square of a distance that may itself be 1e38
 
@@ -58,6 +59,10 @@ RenderDesc read_render(const JsonValue& scene) {
   RenderDesc r;
   if (!scene.has("render")) return r;
   const JsonValue render = scene.get("render");
+  r.integrator = render.member("integrator", r.integrator, integrator_family(), "integrator");
+  r.directions = render.integer("directions", r.directions, 1, DIRECTIONS_MAX);
+  if (render.has("distance")) r.distance = render.get("distance").as_number(Range::positive());
+  r.rotate = render.flag("rotate", r.rotate);
   r.method = read_method(render, r.method);
   r.step = read_step(render, r.step);
   r.tolerance = read_tolerance(render, r.tolerance);
@@ -69,7 +74,9 @@ RenderDesc read_render(const JsonValue& scene) {
   r.shadow = render.member("shadow", r.shadow, shadows, "shadow mode");
   r.storage = render.member("storage", r.storage, storage_family(), "storage");
   r.light_grid = render.integer("light_grid", r.light_grid, 1, LIGHT_GRID_MAX);
-  r.light_samples = render.integer("light_samples", r.light_samples, 0, LIGHT_PICKS_MAX);
+  r.light_picks = render.integer("light_picks", r.light_picks, 0, LIGHT_PICKS_MAX);
+  r.light_samples = render.integer("light_samples", r.light_samples, 1, LIGHT_PICKS_MAX);
+  r.light_points = render.member("light_points", r.light_points, light_points_family(), "choice of points");
   r.roulette = render.number("roulette", r.roulette, Range::closed(0, 1));
   r.max_depth = render.integer("max_depth", r.max_depth, 0, 64);
   r.seed = render.integer("seed", r.seed, 0, 0x7fffffff);
@@ -168,6 +175,10 @@ SceneDesc scene_read_text(std::string_view text, const std::filesystem::path& as
   desc.media = read_media(scene, folder);
   desc.render = read_render(scene);
   scene.refuse_unread();
+  if (desc.render.integrator == INTEGRATOR_AMBIENT_OCCLUSION) {  // it knows neither
+    desc.lights.clear();
+    desc.media.clear();
+  }
   return desc;
 }
 

@@ -79,6 +79,7 @@ Json material_json(const MaterialDesc& m, const Folder& folder) {
             {"refraction", number(m.refraction)},
             {"ior", number(m.ior)},
             {"emission", vec(m.emission)}};
+  if (!m.is_light) json["light"] = false;
   if (!m.texture) return json;
   if (m.texture->type == TEXTURE_IMAGE && m.texture->wrap == WRAP_REPEAT)
     json["texture"] = path_text(m.texture->file, folder);
@@ -158,11 +159,19 @@ Json render_json(const RenderDesc& r) {
             {"in_scattering", auto_or_name(in_scattering_family(), r.in_scattering)},
             {"shadow", auto_or_name(shadow_family(), r.shadow)},
             {"light_grid", r.light_grid},
+            {"light_samples", r.light_samples},
+            {"light_points", family_name(light_points_family(), r.light_points)},
             {"storage", family_name(storage_family(), r.storage)},
             {"roulette", r.roulette},
             {"max_depth", r.max_depth},
             {"seed", r.seed}};
-  if (r.light_samples != LIGHT_SAMPLES_AUTO) json["light_samples"] = r.light_samples;
+  if (r.integrator == INTEGRATOR_AMBIENT_OCCLUSION) {
+    json["integrator"] = family_name(integrator_family(), r.integrator);
+    json["directions"] = r.directions;
+    if (r.distance) json["distance"] = number(*r.distance);
+    json["rotate"] = r.rotate;
+  }
+  if (r.light_picks != LIGHT_PICKS_AUTO) json["light_picks"] = r.light_picks;
   if (r.max_error) json["max_error"] = number(*r.max_error);
   if (r.time_budget) json["time_budget"] = number(*r.time_budget);
   if (r.has_goal()) json["error_metric"] = family_name(error_metric_family(), r.error_metric);

@@ -167,7 +167,8 @@ double film_noise(const Film& film, const Frame& frame) {
 
 bool plan_is_random(const RenderPlan& plan) {
   const unsigned chance = plan.draws & ~(1u << DRAWS_NOTHING);
-  return chance != 0 || plan.frame.roulette > 0 || plan.frame.light_picks < plan.frame.light_count;
+  return chance != 0 || plan.frame.roulette > 0 || plan.frame.light_picks < plan.frame.light_count ||
+         plan_lights_extend(plan);
 }
 
 }  // namespace brume

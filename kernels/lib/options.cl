@@ -71,6 +71,9 @@
 #ifndef BRUME_LIGHTS_USED  // bit LIGHT_x
 #define BRUME_LIGHTS_USED (-1)
 #endif
+#ifndef BRUME_AMBIENT_OCCLUSION  // surfaces show how much of a white sky reaches them
+#define BRUME_AMBIENT_OCCLUSION 1
+#endif
 #ifndef BRUME_LIGHTS_CHOSEN  // a point asks some of the lights, at random
 #define BRUME_LIGHTS_CHOSEN 1
 #endif

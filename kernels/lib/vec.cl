@@ -45,6 +45,20 @@ static inline float3 affine_dir(const Affine* a, float3 d) {
                   mad_exact(a->m[8], d.x, mad_exact(a->m[9], d.y, a->m[10] * d.z)));
 }
 
+// Unit vectors at right angles, of which z is given [Duff17].
+typedef struct {
+  float3 x, y, z;
+} Frame3;
+
+static inline Frame3 frame_about(float3 z) {
+  const float sign = copysign(1.0f, z.z), a = -1.0f / (sign + z.z), b = z.x * z.y * a;
+  Frame3 f;
+  f.z = z;
+  f.x = (float3)(1.0f + sign * z.x * z.x * a, sign * b, -sign * z.x);
+  f.y = (float3)(b, sign + z.y * z.y * a, -z.y);
+  return f;
+}
+
 // A sum of many terms that are small beside it, as exact as one of a few [Kahan65].
 typedef struct {
   float3 sum, lost;

@@ -8,7 +8,7 @@ static inline LightSample directional_sample(const Light* light, float3 point) {
   LightSample s;
   s.irradiance = vec_unpack(light->intensity);
   s.travel = vec_unpack(light->direction);
-  s.distance = INFINITY;
+  s.distance = s.reach = INFINITY;
   s.pdf = 1.0f;
   return s;
 }

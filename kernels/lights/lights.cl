@@ -3,13 +3,15 @@
 #define BRUME_LIGHTS_LIGHTS_CL
 #include "lib/rng.cl"
 #include "lights/directional.cl"
+#include "lights/emitter.cl"
 #include "lights/point.cl"
 #include "lights/spot.cl"
 
-// `random` says which place of a light with an extent is asked. A row without its function does not compile.
+// `random`, of the ray, says which place of a light with an extent is asked. A row without its function does not
+// compile.
 static inline LightSample light_sample(const Scene* scene, int index, float3 point, Random random) {
-  (void)random;
   const Light light = scene->lights[index];
+  if (LIGHT_IS(&light, SURFACE)) return emitter_sample(scene, &light, point, random);
 #define ROW(id, name, help) \
   if (LIGHT_IS(&light, id)) return name##_sample(&light, point);
   BRUME_LIGHTS(ROW)

@@ -8,7 +8,7 @@ static inline LightSample point_sample(const Light* light, float3 point) {
   const float3 to_point = (far ? point * ldexp(1.0f, -light->exponent) : point) - vec_unpack(light->position);
   const float distance = length(to_point);
   LightSample s;
-  s.distance = far ? ldexp(distance, light->exponent) : distance;
+  s.distance = s.reach = far ? ldexp(distance, light->exponent) : distance;
   s.irradiance = vec_unpack(light->intensity);
   s.travel = vec_unpack(light->direction);
   s.pdf = 1.0f;

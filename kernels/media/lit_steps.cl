@@ -132,7 +132,7 @@ static inline float lit_step(const Scene* scene, const Stretch* stretch, const L
   for (int l = 0; l < scene->frame->light_count; ++l) {
     const Light light = scene->lights[l];
     if (LIGHT_IS(&light, SPOT) && light.exponent == 0 &&
-        !(vec_max(light_sample(scene, l, middle, stretch->walk).irradiance) > 0.0f))
+        !(vec_max(light_sample(scene, l, middle, stretch->random).irradiance) > 0.0f))
       continue;
     lit = 1;
     if (LIGHT_IS(&light, DIRECTIONAL) || light.exponent != 0) continue;

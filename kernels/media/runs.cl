@@ -32,7 +32,7 @@ typedef struct {
 // σs · E · p of light l at a point of the run.
 static inline float3 run_arriving(const Scene* scene, const Stretch* s, const Run* run, int l, int i) {
   const float3 point = vec_point(s->origin, s->dir, s->ray->t_begin + run->place[i]);
-  const LightSample light = light_sample(scene, l, point, s->walk);
+  const LightSample light = light_sample(scene, l, point, s->random);
   if (!(vec_max(light.irradiance) > 0.0f)) return (float3)(0.0f);
   return vec_unpack(s->medium->sigma_s) * light.irradiance *
          phase_eval(s->medium->phase, s->medium->g, light.travel, -s->dir);
@@ -69,7 +69,7 @@ static inline void run_ask(const Scene* scene, const Stretch* s, const Run* run,
                            MediumResult* result) {
   const float t = s->ray->t_begin + run->place[i];
   const float3 point = vec_point(s->origin, s->dir, t);
-  const LightSample sample = light_sample(scene, l, point, s->walk);
+  const LightSample sample = light_sample(scene, l, point, s->random);
 #if BRUME_RANDOM
   const Random random =
       random_stream(random_stream(s->walk, run->id[i]), (i & 1 ? STREAM_LIGHT_END : STREAM_LIGHT) + (uint)l);
@@ -78,7 +78,7 @@ static inline void run_ask(const Scene* scene, const Stretch* s, const Run* run,
 #endif
   Tau passed = (Tau)(0.0f);
   ++result->shadow_rays;
-  if (scene_occluded(scene, point, -sample.travel, sample.distance))
+  if (scene_occluded(scene, point, -sample.travel, sample.reach))
     result->shadow_key += (uint)(l + 1);
   else
     passed = exp(-media_tau(scene, -1, point, -sample.travel, sample.distance, random, &result->lookups));

@@ -31,10 +31,10 @@ static inline float light_mean(float begin, float end, float depth) {
 // Light l at a place: E · V · p, and V into the key. 0 when nothing arrives.
 static inline float3 place_arriving(const Scene* scene, const Stretch* s, int l, float place, MediumResult* result) {
   const float3 point = vec_point(s->origin, s->dir, s->ray->t_begin + place);
-  const LightSample light = light_sample(scene, l, point, s->walk);
+  const LightSample light = light_sample(scene, l, point, s->random);
   if (!(vec_max(light.irradiance) > 0.0f)) return (float3)(0.0f);
   ++result->shadow_rays;
-  if (scene_occluded(scene, point, -light.travel, light.distance)) {
+  if (scene_occluded(scene, point, -light.travel, light.reach)) {
     result->shadow_key += (uint)(l + 1);
     return (float3)(0.0f);
   }
@@ -106,7 +106,7 @@ static inline Colors sources_from_grid(const Scene* scene, const Stretch* s, Med
 // Depth of all media from a point of the view ray, at world distance t, to light l.
 static inline Tau light_depth(const Scene* scene, const Stretch* s, int l, float t, Random random, uint* lookups) {
   const float3 point = vec_point(s->origin, s->dir, t);
-  const LightSample light = light_sample(scene, l, point, s->walk);
+  const LightSample light = light_sample(scene, l, point, s->random);
   return media_tau(scene, -1, point, -light.travel, light.distance, random, lookups);
 }
 

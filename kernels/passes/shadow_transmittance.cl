@@ -1,5 +1,6 @@
 // Each hit under the lights: what is not blocked by surfaces and weakened by the media on the way, scattered towards
 // the ray; and the rays that the hit sends on.
+#include "path/ambient_occlusion.cl"
 #include "path/send_on.cl"
 #include "path/surface_light.cl"
 
@@ -11,6 +12,13 @@ OUTLINED SurfaceResult surface_result(const Scene* scene, const Ray* ray, const 
   const Surface surface = surface_at(scene, ray, hit);
   const Material material = scene->materials[surface.material];
   result.normal = vec_pack(surface.normal);
+#if BRUME_AMBIENT_OCCLUSION
+  if (scene->frame->directions > 0) {
+    result.second = 0;
+    result.radiance = vec_pack(ambient_occlusion(scene, ray, &surface, &result));
+    return result;
+  }
+#endif
   result.radiance =
       vec_pack(surface_lights(scene, &surface, &material, -vec_unpack(ray->dir), ray_random(ray), &result));
 #if BRUME_SPECULAR

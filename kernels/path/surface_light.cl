@@ -10,7 +10,7 @@ static inline float3 surface_light(const Scene* scene, const Surface* surface, c
                                    float3 to_viewer, LightPick pick, int n, Random random, SurfaceResult* result) {
   const LightSample light = light_sample(scene, pick.light, surface->point, random);
   const float3 to_light = -light.travel, from = surface_leave(surface, to_light);
-  if (!(dot(surface->normal, to_light) > 0.0f) || scene_occluded(scene, from, to_light, light.distance))
+  if (!(dot(surface->normal, to_light) > 0.0f) || scene_occluded(scene, from, to_light, light.reach))
     return (float3)(0.0f);
   result->lit |= 1u << (pick.light & 31);
   const float3 transmittance = media_transmittance(scene, from, to_light, light.distance,

@@ -67,4 +67,31 @@ static inline float3 cylinder_normal(const Shape* shape, float3 point, float2* u
   return (p.x * c.side_x + p.y * c.side_y) / radial;
 }
 
+// Of the side the arc that is seen, and of the caps those whose outside is; from inside all.
+static inline ShapePlace cylinder_emit(const Shape* shape, float3 from, float2 xi) {
+  const Cylinder c = cylinder_load(shape);
+  const float3 p = cylinder_frame(&c, from - c.base);
+  const float radial = sqrt(p.x * p.x + p.y * p.y);
+  const int within = radial <= c.radius, inside = within && p.z >= 0.0f && p.z <= c.height;
+  const float arc = inside ? PI_F : (within ? 0.0f : acos(c.radius / radial));
+  const float side = 2.0f * arc * c.radius * c.height, cap = PI_F * c.radius * c.radius;
+  const float bottom = inside || p.z < 0.0f ? cap : 0.0f, top = inside || p.z > c.height ? cap : 0.0f;
+  const float area = side + bottom + top, at = xi.x * area;
+  float3 q, n;
+  if (at < side) {
+    const float angle = (2.0f * at / side - 1.0f) * arc, e_x = radial > 0.0f ? p.x / radial : 1.0f;
+    const float e_y = radial > 0.0f ? p.y / radial : 0.0f;
+    n = (float3)(e_x * cos(angle) - e_y * sin(angle), e_y * cos(angle) + e_x * sin(angle), 0.0f);
+    q = (float3)(c.radius * n.x, c.radius * n.y, xi.y * c.height);
+  } else {
+    const int at_top = at - side >= bottom;
+    const float out = c.radius * sqrt(fmin((at - side - (at_top ? bottom : 0.0f)) / cap, 1.0f));
+    n = (float3)(0.0f, 0.0f, 1.0f);
+    q = (float3)(out * cos(2.0f * PI_F * xi.y), out * sin(2.0f * PI_F * xi.y), at_top ? c.height : 0.0f);
+  }
+  const float3 way = q - p;
+  return shape_place_of(way.x * c.side_x + way.y * c.side_y + way.z * c.axis,
+                        n.x * c.side_x + n.y * c.side_y + n.z * c.axis, area);
+}
+
 #endif

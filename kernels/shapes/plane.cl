@@ -18,4 +18,10 @@ static inline float3 plane_normal(const Shape* shape, float3 point, float2* uv) 
   return n;
 }
 
+// Unbounded: no light.
+static inline ShapePlace plane_emit(const Shape* shape, float3 from, float2 xi) {
+  (void)xi;
+  return shape_place_of(shape_vec(shape, 0) - from, shape_vec(shape, 3), 0.0f);
+}
+
 #endif

@@ -21,4 +21,11 @@ static inline float3 quad_normal(const Shape* shape, float3 point, float2* uv) {
   return shape_vec(shape, 3);
 }
 
+static inline ShapePlace quad_emit(const Shape* shape, float3 from, float2 xi) {
+  const float3 n = shape_vec(shape, 3), s = shape_vec(shape, 6), t = shape_vec(shape, 9);
+  const float3 along = cross(t, n), across = cross(n, s);
+  const float3 u = along / dot(s, along), v = across / dot(t, across);
+  return shape_place_of(shape_vec(shape, 0) - from + xi.x * u + xi.y * v, n, length(cross(u, v)));
+}
+
 #endif

@@ -30,6 +30,15 @@ static inline float3 shape_normal(const Shape* shape, float3 point, float2* uv) 
   return (float3)(0.0f, 0.0f, 1.0f);
 }
 
+// Which place of a shape that emits the point asks, by two numbers in [0, 1).
+static inline ShapePlace shape_emit(const Shape* shape, float3 from, float2 xi) {
+#define ROW(id, name, help) \
+  if (USES_SHAPE(id) && shape->type == SHAPE_##id) return name##_emit(shape, from, xi);
+  BRUME_SHAPES(ROW)
+#undef ROW
+  return shape_place_of((float3)(0.0f), (float3)(0.0f), 0.0f);
+}
+
 // Nearest surface with 0 < t < t_max; `any`: the first one found will do.
 static inline Hit scene_hit(const Scene* scene, float3 origin, float3 dir, float t_max, int any) {
   Hit hit;

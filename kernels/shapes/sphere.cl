@@ -31,4 +31,24 @@ static inline float3 sphere_normal(const Shape* shape, float3 point, float2* uv)
   return n;
 }
 
+// Evenly over the cone that it fills [Shirley96]; from inside, over the sphere.
+static inline ShapePlace sphere_emit(const Shape* shape, float3 from, float2 xi) {
+  const float radius = shape->data[3], turn = 2.0f * PI_F * xi.y;
+  const float3 to = shape_vec(shape, 0) - from;
+  const float square = dot(to, to), share = radius * radius / square;  // sin² of the cone's half angle
+  if (!(share < 1.0f)) {
+    const float z = 1.0f - 2.0f * xi.x, side = sqrt(fmax(1.0f - z * z, 0.0f));
+    const float3 n = (float3)(side * cos(turn), side * sin(turn), z);
+    return shape_place_of(to + radius * n, n, 4.0f * PI_F * radius * radius);
+  }
+  const float wide = share / (1.0f + sqrt(1.0f - share));  // 1 - cos
+  const float beside = xi.x * wide, sine2 = beside * (2.0f - beside), distance = sqrt(square);
+  const Frame3 frame = frame_about(to / distance);
+  const float t = distance * (1.0f - beside) - sqrt(fmax(radius * radius - square * sine2, 0.0f));
+  ShapePlace place;
+  place.way = t * ((1.0f - beside) * frame.z + sqrt(sine2) * (cos(turn) * frame.x + sin(turn) * frame.y));
+  place.solid = 2.0f * PI_F * wide;
+  return place;
+}
+
 #endif

@@ -4,7 +4,19 @@
 #include "shared/camera.h"
 #include "shared/platform.h"
 
+// What a camera ray shows of a surface.
+#define BRUME_INTEGRATORS(ROW)                                \
+  ROW(WHITTED, "whitted", "lights, media, mirrors and glass") \
+  ROW(AMBIENT_OCCLUSION, "ambient_occlusion", "how much of a white sky reaches a surface")
+
 BRUME_SHARED_BEGIN
+enum Integrator {
+#define ROW(id, name, help) INTEGRATOR_##id,
+  BRUME_INTEGRATORS(ROW)
+#undef ROW
+      INTEGRATOR_COUNT
+};
+
 typedef struct {
   Camera camera;
   Packed3 background;
@@ -20,10 +32,13 @@ typedef struct {
   int takes_ends;  // dense segments take the light from both ends: no medium is tracked
   int crop_x0, crop_y0, crop_x1, crop_y1;  // pixels rendered: [x0,x1) x [y0,y1)
   Packed3 bounds_lo,
-      bounds_hi;         // a box about everything finite, where camera rays start; lo = hi: there is nothing finite
-  int light_picks;       // how many lights a point asks: all, or fewer that it chooses by FlatScene::light_shares
-  int hides_background;  // 1: camera rays see nothing where they hit nothing; mirrors and glass go on seeing it
+      bounds_hi;          // a box about everything finite, where camera rays start; lo = hi: there is nothing finite
+  int light_picks;        // how many lights a point asks: all, or fewer that it chooses by FlatScene::light_shares
+  int directions;         // of ambient occlusion; 0: surfaces are lit by lights
+  float occlusion_reach;  // what is further off does not occlude
+  int occlusion_rotates;  // 1: the directions are turned from pixel to pixel and sample to sample
+  int hides_background;   // 1: camera rays see nothing where they hit nothing; mirrors and glass go on seeing it
 } Frame;
-BRUME_LAYOUT(Frame, 176);
+BRUME_LAYOUT(Frame, 188);
 BRUME_SHARED_END
 #endif

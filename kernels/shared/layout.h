@@ -12,8 +12,10 @@
   STRUCT(Camera, F(axis) F(type) F(forward) F(width) F(right) F(height) F(up) F(spp) F(back))                          \
   STRUCT(Frame, F(camera) F(background) F(light_count) F(ambient) F(shape_count) F(medium_count) F(triangle_count)     \
                     F(seed) F(in_scattering) F(max_depth) F(roulette) F(takes_ends) F(crop_x0) F(crop_y0) F(crop_x1)   \
-                        F(crop_y1) F(bounds_lo) F(bounds_hi) F(light_picks) F(hides_background))                       \
-  STRUCT(Light, F(position) F(type) F(direction) F(falloff) F(intensity) F(outer) F(inner) F(exponent) F(pad))         \
+                        F(crop_y1) F(bounds_lo) F(bounds_hi) F(light_picks) F(directions) F(occlusion_reach)           \
+                            F(occlusion_rotates) F(hides_background))                                                  \
+  STRUCT(Light, F(position) F(type) F(direction) F(falloff) F(intensity) F(outer) F(inner) F(exponent) F(primitive)    \
+                    F(point) F(points))                                                                                \
   STRUCT(LightGrid, F(grid_from_cell) F(cell_from_grid) F(nu) F(nv) F(nk) F(offset) F(slope_u) F(slope_v)              \
                         F(column_step) F(from_first) F(first_u) F(first_v) F(columns_u) F(columns_v))                  \
   STRUCT(Material, F(diffuse) F(model) F(specular) F(shininess) F(ambient) F(texture) F(emission) F(ior) F(reflection) \

@@ -11,6 +11,7 @@
 #define STREAM_REFRACT 0x30000u       // the ray that a surface refracts
 #define STREAM_REFLECT 0x30001u       // the ray that it reflects
 #define STREAM_LIGHT_CHOICE 0x30002u  // which lights are asked
+#define STREAM_LIGHT_PLACE 0x30003u   // where on surfaces that emit
 
 // Numbers of segment n
 #define RANDOM_PLACE 0u     // where it is sampled

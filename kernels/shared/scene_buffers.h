@@ -14,7 +14,7 @@
 //   SCRATCH filled on the device
 #define BRUME_SCENE_BUFFERS(ROW, NEXT)                                                                    \
   ROW(__constant, Frame, frame, PLAN, frame, "frame")                                                     \
-  NEXT ROW(__global, Light, lights, FLAT, lights, "lights") NEXT ROW(__global, float, light_shares, FLAT, \
+  NEXT ROW(__global, Light, lights, PLAN, lights, "lights") NEXT ROW(__global, float, light_shares, PLAN, \
                                                                      light_shares, "light shares") NEXT   \
   ROW(__global, Material, materials, FLAT, materials, "materials") NEXT                                   \
   ROW(__global, Texture, textures, FLAT, textures, "textures") NEXT                                       \

@@ -23,7 +23,7 @@ std::string scene_of(int count, int samples, int seed, int spp) {
     "shapes": [{"type": "plane", "point": [0, 0, 0], "normal": [0, 1, 0], "material": "grey"},
                {"type": "sphere", "center": [0.4, 0.5, 0], "radius": 0.5, "material": "grey"}],
     "media": [{"density": {"type": "constant"}, "bounds": [[-2, 0, -2], [2, 1, 2]], "sigma_a": 0.02, "sigma_s": 0.1}],
-    "render": {"step": 0.2, "light_samples": )" +
+    "render": {"step": 0.2, "light_picks": )" +
          std::to_string(samples) + R"(, "seed": )" + std::to_string(seed) + "}}";
 }
 
@@ -72,7 +72,7 @@ TEST(ManyLights, TheReferenceChoosesTheSame) {
 TEST(ManyLights, UpTo256AreAllAsked) {
   const auto picks = [](int lights, int samples) {
     std::string scene = scene_of(lights, samples, 0, 1);
-    if (samples < 0) scene.replace(scene.find(R"("light_samples": -1, )"), 21, "");
+    if (samples < 0) scene.replace(scene.find(R"("light_picks": -1, )"), 19, "");
     return flat_of(scene).frame.light_picks;
   };
   EXPECT_EQ(picks(256, -1), 256);

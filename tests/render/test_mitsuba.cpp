@@ -41,7 +41,7 @@ TEST_P(Mitsuba, AgreesInTheMeansOfBlocks) {
   const std::filesystem::path folder = folder_of(GetParam()), scene = folder / (std::string(GetParam().name) + ".json");
   if (!std::filesystem::exists(scene)) GTEST_SKIP() << scene << " is not there";
   const Image theirs = image_read(folder / (std::string(GetParam().name) + ".exr"));
-  const SceneDesc desc = scene_read(scene, {});
+  const SceneDesc desc = scene_read(scene, {"/render/light_samples=16"});
   const DeviceInfo device = device_choose("portable computing language");
   const int lanes = lanes_choose(device, 0);
   const PlannedScene flat = flatten(desc, {bvh_width_for(lanes), {}});
@@ -57,7 +57,7 @@ TEST_P(Mitsuba, AgreesInTheMeansOfBlocks) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Mitsuba,
                          testing::Values(Voice{"fog_grey", false}, Voice{"fog_rgb_hg", false}, Voice{"lit_room", false},
-                                         Voice{"spot_textured", true}),
+                                         Voice{"spot_textured", true}, Voice{"area_box", true}),
                          [](const auto& voice) { return voice.param.name; });
 
 }  // namespace

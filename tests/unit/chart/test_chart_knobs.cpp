@@ -131,7 +131,7 @@ TEST(ChartKnobs, TheExactPictureLeavesNothingToChance) {
   EXPECT_EQ(exact.render.shadow, SHADOW_TRACE);
   EXPECT_EQ(exact.render.storage, STORAGE_F32);
   EXPECT_EQ(exact.render.roulette, 0);
-  EXPECT_EQ(exact.render.light_samples, 0);
+  EXPECT_EQ(exact.render.light_picks, 0);
   EXPECT_EQ(exact.film.spp, 4);
   EXPECT_EQ(exact_desc_fine(desc, 4, VOXELS).render.step, 1.0 / 256);
 }

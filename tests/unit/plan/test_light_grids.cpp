@@ -88,7 +88,7 @@ double rms_of(const PlannedScene& scene) {
   double sum = 0, count = 0;
   each_point(medium, 0.3, [&](const dvec3& p) {
     const dvec3 point = affine_point(medium.world_from_cell, p);
-    const LightSample light = light_at(scene.lights[0], point);
+    const LightSample light = light_at(scene, scene.lights[0], point, {});
     double lookups = 0;
     const dvec3 traced = media_tau(context, {point, -light.travel}, light.distance, {}, lookups);
     const dvec3 blended = light_grid_tau(context.light_depths[0], scene.light_grids[0], medium, 0, point);

@@ -48,19 +48,19 @@ TEST(ReferencePhase, NoCancellationAtThePeak) {
 TEST(ReferenceLight, PointFallsOffWithTheSquareUnlessToldNot) {
   PlannedScene scene;
   Light& light = test::light_add_point(scene, {1, 2, 3}, 8);
-  const LightSample sample = light_at(light, {1, 2, -1});
+  const LightSample sample = light_at(scene, light, {1, 2, -1}, {});
   EXPECT_EQ(sample.travel, dvec3(0, 0, -1));
   EXPECT_EQ(sample.distance, 4);
   EXPECT_EQ(sample.irradiance, dvec3(0.5));
   light.falloff = FALLOFF_NONE;
-  EXPECT_EQ(light_at(light, {1, 2, -1}).irradiance, dvec3(8));
-  EXPECT_EQ(light_at(light, {1, 2, 3}).irradiance, dvec3(0));  // at the light itself
+  EXPECT_EQ(light_at(scene, light, {1, 2, -1}, {}).irradiance, dvec3(8));
+  EXPECT_EQ(light_at(scene, light, {1, 2, 3}, {}).irradiance, dvec3(0));  // at the light itself
 }
 
 TEST(ReferenceLight, DirectionalIsMadeUnit) {
   PlannedScene scene;
   test::light_add_directional(scene, {0, -3, 4}, 2);
-  const LightSample sample = light_at(scene.lights[0], {100, 5, 7});
+  const LightSample sample = light_at(scene, scene.lights[0], {100, 5, 7}, {});
   EXPECT_NEAR(glm::distance(sample.travel, dvec3(0, -0.6, 0.8)), 0, 1e-15);
   EXPECT_EQ(sample.irradiance, dvec3(2));
   EXPECT_EQ(sample.distance, INFINITE);
@@ -75,7 +75,7 @@ TEST(ReferenceLight, SpotFadesBySmoothstepInTheCosine) {
   light.outer = 0.5f;
   light.inner = 0.25f;
   const auto share = [&](double cosine) {
-    return light_at(light, 7.0 * dvec3(std::sqrt(1 - cosine * cosine), 0, -cosine)).irradiance.x;
+    return light_at(scene, light, 7.0 * dvec3(std::sqrt(1 - cosine * cosine), 0, -cosine), {}).irradiance.x;
   };
   EXPECT_EQ(share(0.499), 0);
   EXPECT_EQ(share(-1), 0);

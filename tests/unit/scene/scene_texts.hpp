@@ -20,7 +20,7 @@ inline const char* const SCENE_FULL = R"({
      "falloff": "inverse_square", "angle": 20, "softness": 0.25}],
   "materials": {
     "a [1, 2]": {"model": "phong", "ambient": [0.1, 0.2, 0.3], "diffuse": [0.4, 0.5, 0.6], "specular": [0.7, 0.8, 0.9],
-      "shininess": 12, "reflection": 0, "refraction": 0, "ior": 1.25, "emission": [1, 2, 3], "texture": "maps/wood [1, 2].png"},
+      "shininess": 12, "reflection": 0, "refraction": 0, "ior": 1.25, "emission": [1, 2, 3], "light": false, "texture": "maps/wood [1, 2].png"},
     "b": {"model": "blinn_phong", "ambient": [0, 0, 0], "diffuse": [1, 1, 1], "specular": [0, 0, 0], "shininess": 50,
       "reflection": 0, "refraction": 0, "ior": 1.5, "emission": [0, 0, 0],
       "texture": {"type": "checker", "colors": [[1, 0, 0], [0, 1, 0]], "scale": 8}},
@@ -51,7 +51,7 @@ inline const char* const SCENE_FULL = R"({
     {"interpolation": "trilinear", "density": {"type": "exponential", "resolution": [4, 4, 4]},
      "sigma_a": [1, 1, 1], "sigma_s": [0, 0, 0], "emission": [0, 0, 0], "phase": {"type": "isotropic"}}],
   "render": {"method": "march_midpoint", "step": 0.125, "tolerance": 0.25, "in_scattering": "segment", "shadow": "trace", "light_grid": 32,
-    "storage": "u8", "light_samples": 16, "roulette": 0.25, "max_depth": 3, "seed": 7, "max_error": 0.01,
+    "storage": "u8", "light_picks": 16, "light_samples": 4, "light_points": "centroid", "roulette": 0.25, "max_depth": 3, "seed": 7, "max_error": 0.01,
     "error_metric": "display"}
 })";
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
+#include "mesh/mesh.hpp"
 
 namespace brume {
 
@@ -28,9 +29,9 @@ class Materials {
       surface.diffuse[c] = base[c];
       surface.emission[c] = double(emission[c]) * strength;
     }
-    surface.texture = image(material, aiTextureType_BASE_COLOR);
-    if (surface.texture < 0) surface.texture = image(material, aiTextureType_DIFFUSE);
-    surface.emission_texture = image(material, aiTextureType_EMISSIVE);
+    surface.texture = image(material, aiTextureType_BASE_COLOR, surface.texture_wrap);
+    if (surface.texture < 0) surface.texture = image(material, aiTextureType_DIFFUSE, surface.texture_wrap);
+    surface.emission_texture = image(material, aiTextureType_EMISSIVE, surface.emission_texture_wrap);
     out_.surfaces.push_back(surface);
     out_.surface_names.emplace_back(material.GetName().C_Str());
     if (used) tell(material, base.a);
@@ -54,7 +55,12 @@ class Materials {
       note("alpha is not shown");
   }
 
-  std::int32_t image(const aiMaterial& material, aiTextureType type) {
+  static MeshWrap wrap_of(aiTextureMapMode mode) {
+    if (mode == aiTextureMapMode_Clamp) return MeshWrap::CLAMP;
+    return mode == aiTextureMapMode_Mirror ? MeshWrap::MIRROR : MeshWrap::REPEAT;
+  }
+
+  std::int32_t image(const aiMaterial& material, aiTextureType type, std::int32_t& wrap) {
     aiString path;
     aiTextureMapMode modes[3] = {aiTextureMapMode_Wrap, aiTextureMapMode_Wrap, aiTextureMapMode_Wrap};
     unsigned uv = 0;
@@ -65,7 +71,8 @@ class Materials {
     if (source > 0) note("textures by other coordinates than TEXCOORD_0 are shown by those");
     if (material.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) == AI_SUCCESS)
       note("transforms of textures are not shown");
-    if (modes[0] != aiTextureMapMode_Wrap || modes[1] != aiTextureMapMode_Wrap) note("textures are repeated");
+    if (modes[0] != modes[1]) note("textures that go on in another way along v are shown as along u");
+    wrap = static_cast<std::int32_t>(wrap_of(modes[0]));
     return image_number(path.C_Str());
   }
 

@@ -1,7 +1,7 @@
 // How materials reflect one light, and textures.
 #include <cmath>
-#include <iterator>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "check/check_parts.hpp"
 #include "check/row_scenes.hpp"
@@ -41,7 +41,7 @@ CheckCompare material_prepare(int model, int size) {
   };
 }
 
-using TexturedScene = PlannedScene (*)(int type, int bvh_width);
+using TexturedScene = PlannedScene (*)(int row, int bvh_width);  // of the family that is compared
 
 // By its keys' defaults, in colors that tell the channels apart.
 PlannedScene made_texture(int type, int bvh_width) {
@@ -60,16 +60,16 @@ PlannedScene repeated_image(int, int bvh_width) {
   return scene;
 }
 
-PlannedScene clamped_image(int, int bvh_width) {
+PlannedScene wrapped_image(int wrap, int bvh_width) {
   PlannedScene scene = row_scene(material_desc(MATERIAL_LAMBERT), "texture", 8, bvh_width);
-  scene.materials[0].texture = image_add_clamped(scene);
+  scene.materials[0].texture = image_add_wrapped(scene, wrap);
   return scene;
 }
 
-Check texture_check(const std::string& name, int type, TexturedScene make) {
-  const auto prepare = [type, make](int size) -> CheckCompare {
-    return [type, make, items = size * size](Context& context, int lanes, ErrorSum& sum) {
-      const PlannedScene scene = make(type, std::max(lanes, 4));
+Check texture_check(const std::string& name, int row, TexturedScene make) {
+  const auto prepare = [row, make](int size) -> CheckCompare {
+    return [row, make, items = size * size](Context& context, int lanes, ErrorSum& sum) {
+      const PlannedScene scene = make(row, std::max(lanes, 4));
       const int texture = scene.materials[0].texture;
       CheckRandom random;
       std::vector<float> in;
@@ -119,7 +119,9 @@ std::vector<Check> material_checks() {
   for (const FamilyRow& row : texture_family())
     checks.push_back(
         texture_check(std::string(row.name), row.id, row.id == TEXTURE_IMAGE ? repeated_image : made_texture));
-  checks.push_back(texture_check("clamped", TEXTURE_IMAGE, clamped_image));
+  for (const FamilyRow& row : wrap_family())
+    checks.push_back(texture_check("wrap_" + std::string(row.name), row.id, wrapped_image));
+  checks.push_back(texture_check("once", WRAP_ONCE, wrapped_image));
   return checks;
 }
 

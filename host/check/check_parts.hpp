@@ -34,10 +34,10 @@ std::vector<std::string> check_scene_names();
 SceneDesc check_scene_desc(const std::string& name);
 PlannedScene check_scene(const std::string& name, int size, int bvh_width);
 
-// Image textures without a file, added to a scene: 32 x 24 random texels, repeated; and the same shown once, in other
-// units. Return the texture's index.
+// Image textures without a file, added to a scene: 32 x 24 random texels, repeated; and the same, wrapped otherwise, in
+// other units. Return the texture's index.
 int image_add(PlannedScene& scene);
-int image_add_clamped(PlannedScene& scene);
+int image_add_wrapped(PlannedScene& scene, int wrap);
 
 // Random numbers for test inputs; same on every platform.
 class CheckRandom {

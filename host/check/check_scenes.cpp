@@ -91,7 +91,7 @@ PlannedScene check_scene(const std::string& name, int size, int bvh_width) {
   if (name == "mesh") torus_smooth(scene);
   if (name == "surfaces") {
     scene.materials[0].texture = image_add(scene);
-    scene.materials[2].emission_texture = image_add_clamped(scene);
+    scene.materials[2].emission_texture = image_add_wrapped(scene, WRAP_ONCE);
   }
   return scene;
 }

@@ -29,9 +29,9 @@ Texture image_texture() {
 int image_add(PlannedScene& scene) { return image_append(scene, image_texture()); }
 
 // Negative where texels are below 1/8.
-int image_add_clamped(PlannedScene& scene) {
+int image_add_wrapped(PlannedScene& scene, int wrap) {
   Texture t = image_texture();
-  t.clamp = 1;
+  t.wrap = wrap;
   t.uv_scale[0] = 1.5F;
   t.uv_scale[1] = -0.5F;
   t.uv_offset[0] = -0.25F;

@@ -11,9 +11,13 @@ namespace brume {
 
 namespace {
 
+static_assert(static_cast<int>(MeshWrap::CLAMP) == WRAP_CLAMP && static_cast<int>(MeshWrap::MIRROR) == WRAP_MIRROR &&
+                  static_cast<int>(MeshWrap::ONCE) == WRAP_ONCE,
+              "one number for both");
+
 // All that makes an image another one.
 auto image_key(const Texture& t) {
-  return std::tuple(t.type, t.offset, t.width, t.height, t.clamp, t.base, t.gain, t.uv_scale[0], t.uv_scale[1],
+  return std::tuple(t.type, t.offset, t.width, t.height, t.wrap, t.base, t.gain, t.uv_scale[0], t.uv_scale[1],
                     t.uv_offset[0], t.uv_offset[1]);
 }
 
@@ -26,6 +30,7 @@ class TextureTable {
     if (desc.type == TEXTURE_IMAGE) {
       MeshTexture plain;
       plain.file = desc.file;
+      plain.wrap = static_cast<MeshWrap>(desc.wrap);
       return add(plain);
     }
     Texture t{};
@@ -46,7 +51,7 @@ class TextureTable {
     }
     t.base = static_cast<float>(desc.base);
     t.gain = static_cast<float>(desc.gain);
-    t.clamp = desc.clamp;
+    t.wrap = static_cast<int>(desc.wrap);
     const auto same = [&](const Texture& other) { return image_key(other) == image_key(t); };
     const auto known = std::find_if(scene_.textures.begin(), scene_.textures.end(), same);
     return known != scene_.textures.end() ? static_cast<int>(known - scene_.textures.begin()) : append(t);

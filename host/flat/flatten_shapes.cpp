@@ -95,7 +95,8 @@ struct AddBounds {
 Mesh mesh_of(const TriangleDesc& t) {
   Mesh mesh;
   mesh.positions.assign(t.vertices.begin(), t.vertices.end());
-  mesh.triangles.push_back({{0, 1, 2}, {-1, -1, -1}, {-1, -1, -1}, -1});
+  mesh.uvs = {{0, 0}, {1, 0}, {0, 1}};
+  mesh.triangles.push_back({{0, 1, 2}, {-1, -1, -1}, {0, 1, 2}, -1});
   return mesh;
 }
 

@@ -14,13 +14,15 @@
 
 namespace brume {
 
-// base + gain * the image at scale * uv + offset, repeated, or, where it is clamped, shown once with 1 around it.
+enum class MeshWrap { REPEAT, CLAMP, MIRROR, ONCE };  // beside an image; ONCE: 1
+
+// base + gain * the image at scale * uv + offset.
 struct MeshTexture {
   std::filesystem::path file;  // resolved; empty for none
   std::string name{};          // for messages, where the image lies in the mesh's own file
   glm::dvec2 scale{1}, offset{0};
   double base = 0, gain = 1;
-  bool clamp = false;
+  MeshWrap wrap = MeshWrap::REPEAT;
 };
 
 struct MeshMaterial {

@@ -114,9 +114,13 @@ class MeshConvert {
     sent_.image_bytes.clear();
   }
 
-  MeshTexture texture(std::int32_t index) const {
-    if (index >= static_cast<std::int32_t>(textures_.size())) fail_sent();
-    return index < 0 ? MeshTexture() : textures_[static_cast<std::size_t>(index)];
+  MeshTexture texture(std::int32_t index, std::int32_t wrap) const {
+    if (index >= static_cast<std::int32_t>(textures_.size()) || wrap < 0 || wrap > static_cast<int>(MeshWrap::MIRROR))
+      fail_sent();
+    if (index < 0) return {};
+    MeshTexture texture = textures_[static_cast<std::size_t>(index)];
+    texture.wrap = static_cast<MeshWrap>(wrap);
+    return texture;
   }
 
   void materials() {
@@ -130,8 +134,8 @@ class MeshConvert {
         material.diffuse[c] = material.ambient[c] = s.diffuse[c];
         material.emission[c] = s.emission[c];
       }
-      material.texture = texture(s.texture);
-      material.emission_texture = texture(s.emission_texture);
+      material.texture = texture(s.texture, s.texture_wrap);
+      material.emission_texture = texture(s.emission_texture, s.emission_texture_wrap);
       mesh_.materials.push_back(material);
     }
   }

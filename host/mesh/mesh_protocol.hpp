@@ -26,7 +26,8 @@ struct MeshCorner {
 
 struct MeshSurface {
   double diffuse[3], emission[3];
-  std::int32_t texture, emission_texture;  // number of an image, -1: none
+  std::int32_t texture, emission_texture;            // number of an image, -1: none
+  std::int32_t texture_wrap, emission_texture_wrap;  // as MeshWrap
 };
 
 // Number of each; then all of the first, all of the second, and so on.

@@ -32,8 +32,9 @@ bool set_range(MeshTexture& t, const std::vector<double>& n, std::string_view) {
   return true;
 }
 bool set_clamp(MeshTexture& t, const std::vector<double>&, std::string_view word) {
-  t.clamp = text_lower(word) == "on";
-  return t.clamp || text_lower(word) == "off";
+  const bool once = text_lower(word) == "on";
+  t.wrap = once ? MeshWrap::ONCE : MeshWrap::REPEAT;
+  return once || text_lower(word) == "off";
 }
 
 constexpr Option OPTIONS[] = {{"-o", 1, 3, set_offset, nullptr},
@@ -139,7 +140,7 @@ class MapReader {
     if (!option_read(option, words, out_)) {
       notes_.add(line_, "what follows " + name + " is not what it takes; it is not read");
       values_skip(words, option.numbers_max);
-    } else if (option.told && (option.set != set_clamp || out_.clamp)) {
+    } else if (option.told && (option.set != set_clamp || out_.wrap == MeshWrap::ONCE)) {
       notes_.add(line_, "the map option " + name + " " + option.told);
     }
   }

@@ -90,18 +90,23 @@ dvec2 image_point(const Texture& texture, const dvec2& uv) {
 // Beside an image that is shown once.
 bool image_misses(const Texture& texture, const dvec2& uv) {
   const dvec2 p = image_point(texture, uv);
-  return texture.clamp && (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1);
+  return texture.wrap == WRAP_ONCE && (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1);
+}
+
+// The texel that stands for the i-th of an endless row of images.
+double texel_wrapped(double i, double n, int wrap) {
+  if (wrap == WRAP_CLAMP || wrap == WRAP_ONCE) return std::clamp(i, 0.0, n - 1);
+  const double period = wrap == WRAP_MIRROR ? 2 * n : n, m = i - period * std::floor(i / period);
+  return m < n ? m : 2 * n - 1 - m;
 }
 
 dvec3 image_lookup(const PlannedScene& scene, const Texture& texture, const dvec2& at) {
   if (image_misses(texture, at)) return dvec3(1);
   const dvec2 size(texture.width, texture.height);
-  dvec2 uv = image_point(texture, at);
-  if (texture.clamp) uv = glm::clamp(uv, 0.5 / size, 1.0 - 0.5 / size);  // centres of the outermost texels
-  const dvec2 p = uv * size - 0.5, base(std::floor(p.x), std::floor(p.y)), blend = p - base;
+  const dvec2 p = image_point(texture, at) * size - 0.5, base(std::floor(p.x), std::floor(p.y)), blend = p - base;
   const auto texel = [&](double dx, double dy) {
-    const dvec2 i = base + dvec2(dx, dy), wrapped = i - size * glm::floor(i / size);
-    const std::size_t x = static_cast<std::size_t>(wrapped.x), row = static_cast<std::size_t>(wrapped.y);
+    const auto x = static_cast<std::size_t>(texel_wrapped(base.x + dx, size.x, texture.wrap));
+    const auto row = static_cast<std::size_t>(texel_wrapped(base.y + dy, size.y, texture.wrap));
     return vec_promote(&scene.texels[3 * (texture.offset + row * static_cast<std::size_t>(texture.width) + x)]);
   };
   const dvec3 lower = (1 - blend.x) * texel(0, 0) + blend.x * texel(1, 0);

@@ -34,6 +34,9 @@ FAMILY(material_family, BRUME_MATERIALS)
 #define ROW(id, name, help) {TEXTURE_##id, name, help},
 FAMILY(texture_family, BRUME_TEXTURES)
 #undef ROW
+#define ROW(id, name, help) {WRAP_##id, name, help},
+FAMILY(wrap_family, BRUME_WRAPS)
+#undef ROW
 #define ROW(id, name, takes_g, help) {PHASE_##id, #name, help},
 FAMILY(phase_family, BRUME_PHASES)
 #undef ROW

@@ -12,6 +12,7 @@ const Family& integrator_family();
 const Family& light_points_family();
 const Family& material_family();
 const Family& texture_family();
+const Family& wrap_family();
 const Family& phase_family();
 bool phase_takes_g(int phase);
 const Family& interpolation_family();

@@ -15,7 +15,10 @@ TextureDesc read_texture(const JsonValue& value, const std::filesystem::path& fo
     return t;
   }
   t.type = value.get("type").as_member(texture_family(), "texture");
-  if (t.type == TEXTURE_IMAGE) t.file = read_path(value.get("file"), folder);
+  if (t.type == TEXTURE_IMAGE) {
+    t.file = read_path(value.get("file"), folder);
+    t.wrap = value.member("wrap", t.wrap, wrap_family(), "wrap");
+  }
   if (t.type == TEXTURE_CHECKER) {
     if (value.has("colors")) {
       const std::vector<JsonValue> colors = value.get("colors").as_list();

@@ -52,6 +52,7 @@ struct LightDesc {
 struct TextureDesc {
   int type = TEXTURE_IMAGE;
   std::filesystem::path file;  // image; already resolved against the scene file
+  int wrap = WRAP_REPEAT;      // image
   std::array<dvec3, 2> colors{dvec3(1), dvec3(0)};
   double scale = 1;
 };

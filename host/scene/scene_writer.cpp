@@ -83,8 +83,12 @@ Json material_json(const MaterialDesc& m, const Folder& folder) {
             {"emission", vec(m.emission)}};
   if (!m.is_light) json["light"] = false;
   if (!m.texture) return json;
-  if (m.texture->type == TEXTURE_IMAGE)
+  if (m.texture->type == TEXTURE_IMAGE && m.texture->wrap == WRAP_REPEAT)
     json["texture"] = path_text(m.texture->file, folder);
+  else if (m.texture->type == TEXTURE_IMAGE)
+    json["texture"] = {{"type", family_name(texture_family(), m.texture->type)},
+                       {"file", path_text(m.texture->file, folder)},
+                       {"wrap", family_name(wrap_family(), m.texture->wrap)}};
   else
     json["texture"] = {{"type", family_name(texture_family(), m.texture->type)},
                        {"colors", {vec(m.texture->colors[0]), vec(m.texture->colors[1])}},

@@ -8,10 +8,19 @@ static inline float3 texel_load(const Scene* scene, const Texture* t, int x, int
   return (float3)(p[0], p[1], p[2]);
 }
 
-// Index of the texel left of x and its right neighbour, repeated, or with x in [0, 1] clamped; returns the weight of
-// the neighbour.
-static inline float texel_pair(float x, int n, int clamped, int* i0, int* i1) {
-  const float wrapped = (clamped ? x : x - floor(x)) * (float)n - 0.5f;
+// A coordinate within the image, [0, 1].
+static inline float image_wrap(float x, int wrap) {
+  if (wrap == WRAP_REPEAT) return x - floor(x);
+  if (wrap != WRAP_MIRROR) return clamp(x, 0.0f, 1.0f);
+  const float folded = x - 2.0f * floor(0.5f * x);
+  return folded > 1.0f ? 2.0f - folded : folded;
+}
+
+// Index of the texel left of x and its right neighbour; returns the weight of the neighbour. Only where images are
+// repeated is the last texel beside the first.
+static inline float texel_pair(float x, int n, int wrap, int* i0, int* i1) {
+  const int clamped = wrap != WRAP_REPEAT;
+  const float wrapped = image_wrap(x, wrap) * (float)n - 0.5f;
   const float low = floor(wrapped);
   const int i = (int)low;
   *i0 = i < 0 ? (clamped ? 0 : n - 1) : min(i, n - 1);
@@ -21,11 +30,11 @@ static inline float texel_pair(float x, int n, int clamped, int* i0, int* i1) {
 
 static inline float3 texture_image(const Scene* scene, const Texture* t, float2 uv, uint* second) {
   const float u = t->uv_scale[0] * uv.x + t->uv_offset[0], v = t->uv_scale[1] * uv.y + t->uv_offset[1];
-  *second = t->clamp && (u < 0.0f || u > 1.0f || v < 0.0f || v > 1.0f);
+  *second = t->wrap == WRAP_ONCE && (u < 0.0f || u > 1.0f || v < 0.0f || v > 1.0f);
   if (*second) return (float3)(1.0f);
   int x0, x1, y0, y1;
-  const float fx = texel_pair(u, t->width, t->clamp, &x0, &x1);
-  const float fy = texel_pair(v, t->height, t->clamp, &y0, &y1);
+  const float fx = texel_pair(u, t->width, t->wrap, &x0, &x1);
+  const float fy = texel_pair(v, t->height, t->wrap, &y0, &y1);
   const float3 a = texel_load(scene, t, x0, y0), b = texel_load(scene, t, x1, y0);
   const float3 c = texel_load(scene, t, x0, y1), d = texel_load(scene, t, x1, y1);
   const float3 low = a + fx * (b - a);

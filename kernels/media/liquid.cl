@@ -90,7 +90,8 @@ static inline float3 liquid_light(const Scene* scene, const LiquidRay* r, float 
     float3 sent = cosine * vec_unpack(liquid->diffuse);
     if (seen) {
       const float half_way = dot(normal, normalize(to_viewer - light.travel));
-      if (liquid->shininess * (half_way - 1.0f) > LOBE_DARK && half_way > 0.0f) sent += vec_unpack(liquid->specular) * exp(liquid->shininess * log(half_way));
+      if (liquid->shininess * (half_way - 1.0f) > LOBE_DARK && half_way > 0.0f)
+        sent += vec_unpack(liquid->specular) * exp(liquid->shininess * log(half_way));
     }
     sum += pick.weight * light.irradiance * sent;
   }

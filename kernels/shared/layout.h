@@ -20,8 +20,8 @@
                         F(column_step) F(from_first) F(first_u) F(first_v) F(columns_u) F(columns_v))                  \
   STRUCT(Material, F(diffuse) F(model) F(specular) F(shininess) F(ambient) F(texture) F(emission) F(ior) F(reflection) \
                        F(refraction) F(emission_texture) F(fresnel) F(absorption))                                     \
-  STRUCT(Texture, F(type) F(width) F(height) F(offset) F(color_a) F(scale) F(color_b) F(clamp) F(uv_scale)             \
-                      F(uv_offset) F(base) F(gain) F(pad))                                                             \
+  STRUCT(Texture, F(type) F(width) F(height) F(offset) F(color_a) F(scale) F(color_b) F(wrap) F(uv_scale) F(uv_offset) \
+                      F(base) F(gain) F(pad))                                                                          \
   STRUCT(Shape, F(type) F(material) F(pad) F(data))                                                                    \
   STRUCT(Isosurface, F(cell_from_world) F(lo) F(iso) F(hi) F(brick_offset) F(cells_x) F(cells_y) F(cells_z)            \
                          F(brick_nx) F(brick_ny) F(brick_nz) F(masks))                                                 \

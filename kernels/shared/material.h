@@ -9,9 +9,15 @@
   ROW(PHONG, "phong", "diffuse and specular (R·V)^shininess") \
   ROW(BLINN_PHONG, "blinn_phong", "diffuse and specular (N·H)^shininess")
 
-#define BRUME_TEXTURES(ROW)                                                                        \
-  ROW(IMAGE, "image", "an image file: bilinear, repeated, v = 0 at the bottom row; times diffuse") \
+#define BRUME_TEXTURES(ROW)                                                              \
+  ROW(IMAGE, "image", "an image file: bilinear, v = 0 at the bottom row; times diffuse") \
   ROW(CHECKER, "checker", "two colors in squares of 1/scale texture units; times diffuse")
+
+// What is beside an image.
+#define BRUME_WRAPS(ROW)                            \
+  ROW(REPEAT, "repeat", "the image again")          \
+  ROW(CLAMP, "clamp", "its outermost texels go on") \
+  ROW(MIRROR, "mirror", "the image again, mirrored at its edge")
 
 BRUME_SHARED_BEGIN
 enum MaterialModel {
@@ -25,6 +31,14 @@ enum TextureType {
   BRUME_TEXTURES(ROW)
 #undef ROW
       TEXTURE_COUNT
+};
+
+enum TextureWrap {
+#define ROW(id, name, help) WRAP_##id,
+  BRUME_WRAPS(ROW)
+#undef ROW
+      WRAP_COUNT,
+  WRAP_ONCE = WRAP_COUNT  // of MTL alone: 1 as the color beside the image
 };
 
 typedef struct {
@@ -46,8 +60,8 @@ BRUME_LAYOUT(Material, 92);
 
 // checker: color_a where floor(u scale) + floor(v scale) is even, color_b elsewhere.
 // image: texel (x, row) of linear RGB at texels[3 * (offset + row * width + x)]; row 0 is the BOTTOM row (v = 0). It is
-// looked up at uv_scale * uv + uv_offset; its color is base + gain * texel, 0 where that is negative. It is repeated,
-// or, clamped, shown once: then beside [0, 1]² the color is 1.
+// looked up at uv_scale * uv + uv_offset; its color is base + gain * texel, 0 where that is negative. Beside
+// [0, 1]² it goes on as wrap says; where an image is mirrored, so are its texels. With WRAP_ONCE the color is 1 there.
 typedef struct {
   int type;
   int width;
@@ -56,7 +70,7 @@ typedef struct {
   Packed3 color_a;
   float scale;
   Packed3 color_b;
-  int clamp;  // 0: repeated
+  int wrap;
   float uv_scale[2];
   float uv_offset[2];
   float base;

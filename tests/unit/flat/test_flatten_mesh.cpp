@@ -53,5 +53,13 @@ TEST_F(FlattenMesh, CreaseReachesTheNormals) {
   EXPECT_NEAR(flat(R"(, "crease": 45)").triangles.at(0).n[0].z, 1, 1e-6);
 }
 
+TEST_F(FlattenMesh, ATriangleHasTextureCoordinates) {
+  const std::string shape = R"({"type": "triangle", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]})";
+  const PlannedScene scene = flatten(scene_read_text(R"({"shapes": [)" + shape + "]}", "a.json", {}), {});
+  ASSERT_EQ(scene.triangles.size(), 1u);
+  const float expected[] = {0, 0, 1, 0, 0, 1};
+  for (int i = 0; i < 6; ++i) EXPECT_EQ(scene.triangles[0].uv[i], expected[i]) << i;
+}
+
 }  // namespace
 }  // namespace brume

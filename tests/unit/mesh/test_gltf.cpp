@@ -97,6 +97,19 @@ TEST_F(Gltf, ImagesLieBesideOrInside) {
   EXPECT_THAT(inside.materials[0].texture.name, testing::StartsWith((folder_ / "a.glb").string()));
 }
 
+TEST_F(Gltf, SamplersSayHowImagesGoOn) {
+  json file = gltf_json();
+  file["textures"] = {{{"source", 0}, {"sampler", 0}}};
+  file["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  file["images"] = {{{"uri", "a.png"}}};
+  const std::pair<int, MeshWrap> modes[] = {
+      {10497, MeshWrap::REPEAT}, {33071, MeshWrap::CLAMP}, {33648, MeshWrap::MIRROR}};
+  for (const auto& [mode, wrap] : modes) {
+    file["samplers"] = {{{"wrapS", mode}, {"wrapT", mode}}};
+    EXPECT_EQ(read_json(file).materials[0].texture.wrap, wrap) << mode;
+  }
+}
+
 TEST_F(Gltf, WhatIsShownOtherwiseIsTold) {
   json file = gltf_json();
   file["materials"][0]["pbrMetallicRoughness"]["metallicFactor"] = 1;

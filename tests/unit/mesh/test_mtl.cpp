@@ -50,7 +50,7 @@ TEST_F(Mtl, OptionsOfMapsAndNamesInOtherCase) {
   EXPECT_EQ(t.file, folder_ / "wood.png");
   EXPECT_EQ(t.offset, glm::dvec2(0.5, 0));
   EXPECT_EQ(t.scale, glm::dvec2(2, 3));
-  EXPECT_TRUE(t.clamp);
+  EXPECT_EQ(t.wrap, MeshWrap::ONCE);
   EXPECT_EQ(mesh.materials[0].diffuse, dvec3(1));
   EXPECT_THAT(mesh.notes, Contains(HasSubstr("is taken for it")));
 }

@@ -132,7 +132,7 @@ TEST(ReferenceTexture, ScaledShiftedClampedAndInOtherUnits) {
   EXPECT_DOUBLE_EQ(value(0, 1.25), 2);     // (0.25, 0.75): 3
   EXPECT_DOUBLE_EQ(value(0.5, 0.25), 2);   // (1.25, -0.25) is (0.25, 0.75)
   EXPECT_DOUBLE_EQ(value(0, 0.75), 0);     // (0.25, 0.25): -4 + 2
-  scene.textures[0].clamp = 1;
+  scene.textures[0].wrap = WRAP_ONCE;
   EXPECT_DOUBLE_EQ(value(0.5, 1.25), 1);   // (1.25, 0.75): beside it
   EXPECT_DOUBLE_EQ(value(0.25, 0.25), 1);  // (0.75, -0.25): below it
   EXPECT_DOUBLE_EQ(value(-9, 9), 1);
@@ -140,6 +140,29 @@ TEST(ReferenceTexture, ScaledShiftedClampedAndInOtherUnits) {
   EXPECT_DOUBLE_EQ(value(0.25, 1.5), 6);   // (0.75, 1)
   EXPECT_EQ(texture_second(scene.textures[0], {0.25, 1.5}), 0);
   EXPECT_EQ(texture_second(scene.textures[0], {0.25, 0.25}), 1);
+}
+
+TEST(ReferenceTexture, BesideTheImage) {
+  PlannedScene scene;  // one row: 1 2 4
+  scene.texels = {1, 1, 1, 2, 2, 2, 4, 4, 4};
+  Texture texture{};
+  texture.type = TEXTURE_IMAGE;
+  texture.width = 3;
+  texture.height = 1;
+  texture.uv_scale[0] = texture.uv_scale[1] = texture.gain = 1;
+  scene.textures.push_back(texture);
+  const auto value = [&](int wrap, double texel) {  // 0 is the centre of the first
+    scene.textures[0].wrap = wrap;
+    return texture_lookup(scene, 0, {(texel + 0.5) / 3, 0.5}).x;
+  };
+  const double at[] = {-4, -1, -0.5, 0, 2, 2.5, 3, 4.5, 5, 6, 9};
+  const double repeat[] = {4, 4, 2.5, 1, 4, 2.5, 1, 3, 4, 1, 1}, clamp[] = {1, 1, 1, 1, 4, 4, 4, 4, 4, 4, 4},
+               mirror[] = {4, 1, 1, 1, 4, 4, 4, 1.5, 1, 1, 4};
+  for (int i = 0; i < 11; ++i) {
+    EXPECT_NEAR(value(WRAP_REPEAT, at[i]), repeat[i], 1e-12) << at[i];
+    EXPECT_NEAR(value(WRAP_CLAMP, at[i]), clamp[i], 1e-12) << at[i];
+    EXPECT_NEAR(value(WRAP_MIRROR, at[i]), mirror[i], 1e-12) << at[i];
+  }
 }
 
 TEST(ReferenceTexture, EmissionHasATextureOfItsOwn) {

@@ -23,7 +23,10 @@ inline const char* const SCENE_FULL = R"({
       "shininess": 12, "reflection": 0, "refraction": 0, "ior": 1.25, "fresnel": true, "absorption": [0.5, 0.25, 2], "emission": [1, 2, 3], "light": false, "texture": "maps/wood [1, 2].png"},
     "b": {"model": "blinn_phong", "ambient": [0, 0, 0], "diffuse": [1, 1, 1], "specular": [0, 0, 0], "shininess": 50,
       "reflection": 0, "refraction": 0, "ior": 1.5, "fresnel": false, "absorption": [0, 0, 0], "emission": [0, 0, 0],
-      "texture": {"type": "checker", "colors": [[1, 0, 0], [0, 1, 0]], "scale": 8}}},
+      "texture": {"type": "checker", "colors": [[1, 0, 0], [0, 1, 0]], "scale": 8}},
+    "tile": {"model": "lambert", "ambient": [0, 0, 0], "diffuse": [1, 1, 1], "specular": [0, 0, 0], "shininess": 50,
+      "reflection": 0, "refraction": 0, "ior": 1.5, "fresnel": false, "absorption": [0, 0, 0], "emission": [0, 0, 0],
+      "texture": {"type": "image", "file": "maps/tile.png", "wrap": "mirror"}}},
   "shapes": [
     {"type": "sphere", "center": [1, 2, 3], "radius": 0.5, "material": "b"},
     {"type": "cylinder", "base": [1, 0, 0], "top": [1, 3, 0], "radius": 0.25},

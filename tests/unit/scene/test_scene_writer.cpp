@@ -101,6 +101,7 @@ TEST(SceneSchema, ListsEveryFamily) {
   EXPECT_EQ(types("phase"), names(phase_family()));
   EXPECT_EQ(types("shape"), names(shape_family()));
   EXPECT_EQ(types("texture"), names(texture_family()));
+  EXPECT_EQ(lists["texture"]["oneOf"][0]["properties"]["wrap"]["enum"], names(wrap_family()));
   const nlohmann::json& render = schema["properties"]["render"]["properties"];
   Family shadows = shadow_family();
   shadows.insert(shadows.begin(), {SHADOW_AUTO, "auto", ""});

@@ -15,7 +15,7 @@ double lit(const PlannedScene& scene) {
 }
 
 // Cameras that look down and up, from steep to grazing.
-const std::vector<std::string> EYES = {"[-0.1, 6, 0.1]",   "[-1.5, 4, 0.5]",  "[-3, 2, 0.5]",
+const std::vector<std::string> EYES = {"[-0.1, 6, 0.1]", "[-1.5, 4, 0.5]",  "[-3, 2, 0.5]",
                                        "[-6, 1.9, 0.2]", "[-1.5, -2, 0.5]", "[-6, 0.1, 0.2]"};
 
 std::vector<std::string> seen_from(const std::string& eye, std::vector<std::string> overrides = {}) {

@@ -200,6 +200,7 @@ OUTLINED void liquid_steps(const Scene* scene, LiquidRay* r, int m, const Presen
   lanes_store(at->after, after);
   lanes_store(at->number, number);
   lanes_store(lit, light);
+  (void)integral;  // with one lane there are none before
   lanes_store(lanes_before(integral), depth);
   for (int i = 0; i < W; ++i) {
     if (!(light[i] > 0.0f)) continue;

@@ -98,7 +98,7 @@ inline MediumRows medium_add_constant(PlannedScene& scene, const glm::dvec3& lo,
   placed.grid = -1;
   MediumBody body{};
   body.density = static_cast<int>(scene.placed.size());
-  body.glow = -1;
+  body.glow = body.liquid = -1;
   body.sigma_a = grey(sigma_a);
   body.sigma_s = grey(sigma_s);
   body.phase = PHASE_ISOTROPIC;

@@ -50,7 +50,7 @@ __kernel void roofline_cells(SCENE_ARGS, uint count, __global float* out) {
   const MediumRay ray = medium_ray(&medium, vec_unpack(camera.origin), vec_unpack(camera.dir), INFINITY);
   float cells = 0.0f, sum = 0.0f;
   if (ray.length > 0.0f) {
-    Walk walk = walk_begin(&medium, &ray, random_begin(frame, item, 0), WALK_SEEN);
+    Walk walk = walk_begin(&scene, &medium, &ray, random_begin(frame, item, 0), WALK_SEEN);
     Segments at;
     for (walk_next(&scene, &medium, &ray, &walk, &at); at.count > 0; walk_next(&scene, &medium, &ray, &walk, &at)) {
       cells += (float)at.count;

@@ -1,4 +1,5 @@
-// The scenes of `brume check`: their texts (check_media_texts.hpp, check_surface_texts.hpp), and meshes that are computed.
+// The scenes of `brume check`: their texts (check_media_texts.hpp, check_surface_texts.hpp), and meshes that are
+// computed.
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <iterator>

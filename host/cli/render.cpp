@@ -96,8 +96,8 @@ void write_all(const RenderArguments& arguments, Picture& picture, bool complete
   if (!failures.empty()) throw RuntimeError(failures);
 }
 
-// With progress, until Ctrl-C; where the device does not answer that, what is done is written from outside. Of a picture
-// that is complete, its error: `unknown` where an interruption left that open.
+// With progress, until Ctrl-C; where the device does not answer that, what is done is written from outside. Of a
+// picture that is complete, its error: `unknown` where an interruption left that open.
 bool render_picture(const RenderArguments& arguments, Picture& picture, RunTimes& times, const Stopwatch& total,
                     bool& unknown) {
   if (picture.work_is_none()) return true;

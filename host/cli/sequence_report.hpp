@@ -1,5 +1,5 @@
-// What became of the frames of a sequence: the lines for the terminal and the file of --stats. Told from the thread that
-// renders, and from the one that ends the program.
+// What became of the frames of a sequence: the lines for the terminal and the file of --stats. Told from the thread
+// that renders, and from the one that ends the program.
 #pragma once
 #include <map>
 #include <mutex>

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "reference/ambient_occlusion.hpp"
 #include "reference/glass.hpp"
 #include "reference/sampling.hpp"
 #include "reference/surface.hpp"
@@ -45,28 +46,9 @@ Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& 
   return lit;
 }
 
-// 1/π ∫ V cosθ over the spiral of Fibonacci.
-Lit ambient_occlusion(const Context& context, const SurfaceD& surface, const RandomStream& random) {
-  const Frame& frame = context.scene.frame;
-  const uint golden = 2654435769u, width = static_cast<uint>(frame.camera.width);
-  const uint first = frame.occlusion_rotates ? random.pixel % width * 3242174889u + random.pixel / width * 2447445414u +
-                                                   random.sample * golden
-                                             : 0u;
-  const auto side = vec_beside(surface.normal);
-  double open = 0;
-  Lit lit{};
-  for (int i = 0; i < frame.directions; ++i) {
-    const double cosine = 1 - (2 * i + 1) / (2.0 * frame.directions), sine = std::sqrt(1 - cosine * cosine);
-    const double angle = 2 * M_PI * ((first + static_cast<uint>(i) * golden) >> 8) * 0x1p-24;
-    const dvec3 dir = cosine * surface.normal + sine * (std::cos(angle) * side[0] + std::sin(angle) * side[1]);
-    const bool sees =
-        glm::dot(dir, surface.geometric_normal) > 0 &&
-        !occluded(context.scene, context.bounds, {surface_leave(surface, dir), dir}, double(frame.occlusion_reach));
-    if (sees) open += cosine;
-    lit.lights = lit.lights * 31u + sees;
-  }
-  lit.radiance = dvec3(2 * open / frame.directions);
-  return lit;
+Lit lit_by_sky(const Context& context, const SurfaceD& surface, const RandomStream& random) {
+  const Sky sky = ambient_occlusion(context, surface, random);
+  return {dvec3(sky.open), sky.seen};
 }
 
 uint sample_key(int primitive, uint lit, uint shadow_key, int second) {
@@ -217,7 +199,7 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
   const SurfaceD surface = surface_at(scene, ray, hit);
   const Lit lit =
       scene.frame.directions > 0
-          ? ambient_occlusion(context, surface, random)
+          ? lit_by_sky(context, surface, random)
           : surface_light(context, surface, ray.dir, path.weight * sample.transmittance, random, sample.lookups);
   sample.normal = surface.normal;
   sample.depth = hit.t;

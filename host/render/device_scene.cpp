@@ -9,8 +9,8 @@ namespace brume {
 
 namespace {
 
-// Whether kernels read brick_ranges: trackers for the rate of their collisions, liquids and isosurfaces for what is worth
-// a look, voxels in bytes for their scale.
+// Whether kernels read brick_ranges: trackers for the rate of their collisions, liquids and isosurfaces for what is
+// worth a look, voxels in bytes for their scale.
 bool reads_ranges(const RenderPlan& plan, const FlatScene& flat) {
   return (plan.draws >> DRAWS_COLLISIONS) & 1u || plan.storage == STORAGE_U8 || !flat.liquids.empty() ||
          !flat.isosurfaces.empty();

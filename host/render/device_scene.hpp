@@ -32,8 +32,8 @@ class DeviceScene {
   // The buffers of a plan, those of the plan's own left empty. Voxels, and ranges where they are read, are uploaded
   // when a storage is first asked for.
   SceneBuffers buffers(const RenderPlan& plan);
-  // Whether gradients in a storage of which buffers() has been asked are still to be computed, by whoever has the kernel
-  // for it.
+  // Whether gradients in a storage of which buffers() has been asked are still to be computed, by whoever has the
+  // kernel for it.
   bool gradients_wanted(int storage) const { return !stored_.at(storage).has_gradients; }
   void gradients_done(int storage) { stored_.at(storage).has_gradients = true; }
 

@@ -28,8 +28,8 @@ class Passes {
   double upload_seconds() const { return upload_seconds_; }
   double scene_upload_seconds() const { return device_scene_->upload_seconds(); }
 
-  // Computes the gradients of liquids, if nobody has, and fills the light grids, if there are any, piece by piece while go_on(items done) holds: what an earlier call has
-  // left.
+  // Computes the gradients of liquids, if nobody has, and fills the light grids, if there are any, piece by piece while
+  // go_on(items done) holds: what an earlier call has left.
   void fill_light_grids(const std::function<bool(double)>& go_on);
   double light_grid_items() const;  // that are left
   // All passes over one batch: a wave of camera rays, then one of the rays that they send on, until none is left.

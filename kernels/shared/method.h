@@ -44,7 +44,8 @@
   RULE(LINEAR, linear, 1)
 
 // ROW(ID, name, densities that it fits, placement, rule, share of a segment before its sample, over how much more of it
-// the sample is drawn, draws, densities for which it is exact, or as close as any, help). `auto` takes the first of these.
+// the sample is drawn, draws, densities for which it is exact, or as close as any, help). `auto` takes the first of
+// these.
 #define BRUME_METHODS(ROW)                                                                                          \
   ROW(DDA_NEAREST, "dda_nearest", FITS_NEAREST, CELLS, NEAREST, 0.5f, 0.0f, DRAWS_NOTHING, FITS_NEAREST,            \
       "voxel by voxel; exact for nearest")                                                                          \

@@ -35,8 +35,8 @@ typedef struct {
 BRUME_LAYOUT(Ray, 72);
 
 // t: distance to the surface, INFINITY for a miss. u, v: barycentric coordinates of a triangle. Of an isosurface u is
-// where it is met, 0 in the grid, on the border of the grid 1 + 2 axis + (1 on the upper side), v is 1 from inside. Else
-// 0.
+// where it is met, 0 in the grid, on the border of the grid 1 + 2 axis + (1 on the upper side), v is 1 from inside.
+// Else 0.
 typedef struct {
   float t;
   int primitive;  // shape index, FIRST_TRIANGLE + triangle index, or PRIMITIVE_NONE

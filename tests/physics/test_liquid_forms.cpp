@@ -1,5 +1,5 @@
-// Local lighting against closed forms: a plane boundary at every angle, with and without the correction for grazing ones,
-// how it converges behind absorption, and gradients of the presence of a ball.
+// Local lighting against closed forms: a plane boundary at every angle, with and without the correction for grazing
+// ones, how it converges behind absorption, and gradients of the presence of a ball.
 #include <glm/geometric.hpp>
 
 #include "check/check_parts.hpp"

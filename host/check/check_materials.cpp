@@ -1,7 +1,7 @@
 // How materials reflect one light, and textures.
 #include <cmath>
-#include <iterator>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "check/check_parts.hpp"
 #include "check/row_scenes.hpp"

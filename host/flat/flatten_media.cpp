@@ -76,12 +76,12 @@ double medium_longest(const LoadedMedium& m) {
 
 // A density in the flat scene, before it stands anywhere: a grid, or one value.
 struct FlatDensity {
-  Medium medium;      // its geometry in cell space
-  int grid = -1;      // of FlatScene::grids
-  double unit = 1;    // of the densities stored
-  float largest = 0;  // in that unit
+  Medium medium;                            // its geometry in cell space
+  int grid = -1;                            // of FlatScene::grids
+  double unit = 1;                          // of the densities stored
+  float largest = 0;                        // in that unit
   std::size_t first_brick = 0, bricks = 0;  // of the stored ones
-  int gradients = 0;  // of a liquid: Liquid::gradients
+  int gradients = 0;                        // of a liquid: Liquid::gradients
 };
 
 // Grids already in bricks, by grid, interpolation (the padding depends on that) and type of the medium (a liquid has
@@ -129,8 +129,8 @@ dmat4 cells_from_flat(const LoadedMedium& loaded, const FlatScene& scene) {
 // Where a density stands; media that stand on one spot share the row.
 int density_place(const FlatDensity& density, const LoadedMedium& loaded, FlatScene& scene) {
   const bool trilinear = !loaded.is_constant && loaded.desc->interpolation == INTERPOLATION_TRILINEAR;
-  const dmat4 cell_from_world = trilinear ? cells_from_flat(loaded, scene)
-                                          : glm::inverse(flat_from(scene, loaded.world_from_lattice));
+  const dmat4 cell_from_world =
+      trilinear ? cells_from_flat(loaded, scene) : glm::inverse(flat_from(scene, loaded.world_from_lattice));
   const Medium& m = density.medium;
   const PlacedGrid placed{affine(cell_from_world),
                           affine(glm::inverse(cell_from_world)),

@@ -51,8 +51,8 @@ struct LoadedMesh {
 struct LoadedShapes {
   std::vector<const ShapeDesc*> analytic;
   std::vector<LoadedIsosurface> isosurfaces;  // of those among them, in their order
-  std::vector<LoadedMesh> meshes;   // single triangles too
-  std::vector<int> first_material;  // per mesh: where its own materials begin in FlatScene::materials
+  std::vector<LoadedMesh> meshes;             // single triangles too
+  std::vector<int> first_material;            // per mesh: where its own materials begin in FlatScene::materials
   int default_material = 0;
   Bounds bounds;  // of everything finite
 };

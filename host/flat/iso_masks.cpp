@@ -15,8 +15,8 @@ void brick_mask(const float* samples, float low, float high, uint* mask) {
   constexpr int ROW = BRICK_SAMPLES, LAYER = BRICK_SAMPLES * BRICK_SAMPLES;
   for (int cell = 0; cell < BRICK_CELLS * BRICK_CELLS * BRICK_CELLS; ++cell) {
     const float* s = samples + (cell >> 6) * LAYER + (cell >> 3 & 7) * ROW + (cell & 7);
-    const auto [least, most] = std::minmax({s[0], s[1], s[ROW], s[ROW + 1], s[LAYER], s[LAYER + 1], s[LAYER + ROW],
-                                            s[LAYER + ROW + 1]});
+    const auto [least, most] =
+        std::minmax({s[0], s[1], s[ROW], s[ROW + 1], s[LAYER], s[LAYER + 1], s[LAYER + ROW], s[LAYER + ROW + 1]});
     if (least <= high && most >= low) mask[cell >> 5] |= 1u << (cell & 31);
   }
 }

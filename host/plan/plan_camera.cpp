@@ -53,9 +53,8 @@ bool starts_inside(const CameraDesc& camera, const FlatScene& scene) {
   const bool within = !scene.bounds.empty() && glm::all(glm::greaterThanEqual(camera.eye, scene.bounds.lo)) &&
                       glm::all(glm::lessThanEqual(camera.eye, scene.bounds.hi));
   return any && (within || camera.type == CAMERA_ORTHOGRAPHIC ||
-                 std::any_of(scene.shapes.begin(), scene.shapes.end(), [&](const Shape& shape) {
-                   return shape.type == SHAPE_PLANE && refracts(shape);
-                 }));
+                 std::any_of(scene.shapes.begin(), scene.shapes.end(),
+                             [&](const Shape& shape) { return shape.type == SHAPE_PLANE && refracts(shape); }));
 }
 
 }  // namespace

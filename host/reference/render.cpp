@@ -104,7 +104,7 @@ struct PathState {
   int depth = 0;
   float heirs = INFINITY;
   dvec3 weight{1};
-  Inside inside;    // of what refracts
+  Inside inside;     // of what refracts
   double start = 0;  // how far before its origin the ray begins
 };
 
@@ -226,8 +226,7 @@ bool is_valid(const PixelD& sample) {
 
 PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& random, double start) {
   const bool whole = context.scene.frame.max_depth <= SECONDARY_DEPTH_WHOLE;
-  const Inside inside =
-      context.scene.frame.starts_inside ? inside_of(context.scene, context.bounds, ray) : Inside{};
+  const Inside inside = context.scene.frame.starts_inside ? inside_of(context.scene, context.bounds, ray) : Inside{};
   return path_render(context, ray, {random, 0, whole ? INFINITY : float(SECONDARY_RAYS_MAX), dvec3(1), inside, start});
 }
 
@@ -238,8 +237,8 @@ PixelD pixel_render(const Context& context, int x, int y, const std::function<Ra
   for (int sample = 0; sample < std::max(1, frame.camera.spp); ++sample) {
     const dvec2 position = pixel_position(pixel, static_cast<uint>(sample), frame.camera.spp, frame.seed);
     const FrameRayD camera = start_before_planes(context.scene, frame_ray(frame, x, y, position));
-    PixelD one =
-        ray_render(context, moved ? moved(camera.ray) : camera.ray, {pixel, static_cast<uint>(sample), frame.seed}, camera.start);
+    PixelD one = ray_render(context, moved ? moved(camera.ray) : camera.ray,
+                            {pixel, static_cast<uint>(sample), frame.seed}, camera.start);
     one.depth = (one.depth + one.hits * camera.start) * context.scene.unit;
     if (is_valid(one)) {
       pixel_add(sum, one);

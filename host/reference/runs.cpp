@@ -69,8 +69,8 @@ class LightRun {
       return;
     }
     const uint stream = (i % 2 ? STREAM_LIGHT_END : STREAM_LIGHT) + static_cast<uint>(light_);
-    passed_[i] = surfaces * transmittance_of(
-        media_tau(context_, shadow, sample.distance, points_[i].random.child(stream), result_.lookups));
+    passed_[i] = surfaces * transmittance_of(media_tau(context_, shadow, sample.distance,
+                                                       points_[i].random.child(stream), result_.lookups));
   }
 
   // Points strictly between two that have been asked.

@@ -34,8 +34,7 @@ static inline void way_cross(const Scene* scene, Way* way, const Surface* surfac
 // Share of light that comes through an interface, at the angle on its outer side, on which lights mostly are.
 static inline float interface_passes(const Material* material, const Surface* surface, float3 dir) {
   if (!material->fresnel) return material->refraction;
-  return material->refraction *
-         (1.0f - fresnel_reflectance(fabs(dot(surface->normal, dir)), 1.0f / material->ior));
+  return material->refraction * (1.0f - fresnel_reflectance(fabs(dot(surface->normal, dir)), 1.0f / material->ior));
 }
 
 // Up to the light surfaces weaken what comes through; behind it they only tell what both lie inside of.

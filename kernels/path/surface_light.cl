@@ -34,7 +34,8 @@ static inline float3 surface_lights(const Scene* scene, const Surface* surface, 
   result->second |= second;
   const float xi = light_choice(random, 0);
   for (int n = 0; n < scene->frame->light_picks; ++n)
-    sum += surface_light(scene, surface, material, diffuse, to_viewer, weight, light_choose(scene, n, xi), n, random, result);
+    sum += surface_light(scene, surface, material, diffuse, to_viewer, weight, light_choose(scene, n, xi), n, random,
+                         result);
   return sum;
 }
 

@@ -7,8 +7,8 @@
 #include "materials/surface.cl"
 #include "media/scatter.cl"
 #include "passes/presence_gradients.cl"
-#include "shared/aov.h"
 #include "shapes/cell_crossing.cl"
+#include "shared/aov.h"
 #include "shared/layout.h"
 
 #define PROBE(name) __kernel void name(SCENE_ARGS, uint count, __global const float* in, __global float* out)

@@ -5,9 +5,9 @@
 #include "lib/vec.cl"
 
 #define CROSSING_NONE (-1.0f)
-#define CROSSING_STEPS 24         // of the root finder; it converges in 3 to 6
-#define CROSSING_ENOUGH 3e-8f     // of the way through the cell
-#define CROSSING_DOUBT 0x1p-18f   // of the largest corner: what rounding may leave of a value
+#define CROSSING_STEPS 24        // of the root finder; it converges in 3 to 6
+#define CROSSING_ENOUGH 3e-8f    // of the way through the cell
+#define CROSSING_DOUBT 0x1p-18f  // of the largest corner: what rounding may leave of a value
 
 // A ray through the unit cell: p + u d is in it for u in [0, 1].
 typedef struct {
@@ -39,10 +39,12 @@ static inline Cubic cell_cubic(const CellRay* cell) {
   const float xyz = ((v[7] - v[6]) - (v[5] - v[4])) - xy;
   // the same about p
   const float3 mixed = (float3)(mad_exact(xyz, p.z, xy), mad_exact(xyz, p.y, xz), mad_exact(xyz, p.x, yz));
-  const float3 slope = (float3)(mad_exact(mixed.x, p.y, mad_exact(xz, p.z, x)), mad_exact(mixed.x, p.x, mad_exact(yz, p.z, y)),
-                                mad_exact(mixed.y, p.x, mad_exact(yz, p.y, z)));
+  const float3 slope =
+      (float3)(mad_exact(mixed.x, p.y, mad_exact(xz, p.z, x)), mad_exact(mixed.x, p.x, mad_exact(yz, p.z, y)),
+               mad_exact(mixed.y, p.x, mad_exact(yz, p.y, z)));
   Cubic c;
-  c.c0 = mad_exact(mad_exact(mixed.x, p.y, mad_exact(xz, p.z, x)), p.x, mad_exact(mad_exact(yz, p.z, y), p.y, mad_exact(z, p.z, v[0])));
+  c.c0 = mad_exact(mad_exact(mixed.x, p.y, mad_exact(xz, p.z, x)), p.x,
+                   mad_exact(mad_exact(yz, p.z, y), p.y, mad_exact(z, p.z, v[0])));
   c.c1 = dot(slope, d);
   c.c2 = mad_exact(mixed.x * d.x, d.y, mad_exact(mixed.y * d.x, d.z, mixed.z * d.y * d.z));
   c.c3 = xyz * d.x * d.y * d.z;
@@ -138,7 +140,8 @@ static inline float cell_crossing(const CellRay* cell, int* inside) {
   *inside = first;
   if (first != known) return 0.0f;
   // All of a cubic lies between its Bernstein coefficients: mostly they are of one side.
-  const float b1 = c.c0 + (1.0f / 3.0f) * c.c1, b2 = b1 + (1.0f / 3.0f) * (c.c1 + c.c2), b3 = (c.c0 + c.c1) + (c.c2 + c.c3);
+  const float b1 = c.c0 + (1.0f / 3.0f) * c.c1, b2 = b1 + (1.0f / 3.0f) * (c.c1 + c.c2),
+              b3 = (c.c0 + c.c1) + (c.c2 + c.c3);
   const float least = fmin_ordered(fmin_ordered(c.c0, b1), fmin_ordered(b2, b3)),
               most = fmax_ordered(fmax_ordered(c.c0, b1), fmax_ordered(b2, b3));
   if (least > c.doubt || most < -c.doubt) return CROSSING_NONE;

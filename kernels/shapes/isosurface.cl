@@ -155,7 +155,8 @@ OUTLINED void isosurface_hit(const Scene* scene, const Shape* shape, int index, 
 
 // Rise of the density from a to b, apart along one axis, per cell, W or fewer at a time.
 #define RISES 6  // of both gradients
-static inline void density_rises(const Scene* scene, const Medium* grid, const float3* a, const float3* b, float* rise) {
+static inline void density_rises(const Scene* scene, const Medium* grid, const float3* a, const float3* b,
+                                 float* rise) {
   for (int first = 0; first < 2 * RISES; first += W) {
     float p[3][W], density[W];
     for (int i = 0; i < W; ++i) {

@@ -12,13 +12,13 @@
   STRUCT(Camera, F(axis) F(type) F(forward) F(width) F(right) F(height) F(up) F(spp) F(back))                          \
   STRUCT(Frame, F(camera) F(background) F(light_count) F(ambient) F(shape_count) F(medium_count) F(triangle_count)     \
                     F(seed) F(in_scattering) F(max_depth) F(roulette) F(takes_ends) F(crop_x0) F(crop_y0) F(crop_x1)   \
-                        F(crop_y1) F(bounds_lo) F(bounds_hi) F(light_picks) F(hides_background) F(cutoff) F(clear_shadows)      \
-                            F(starts_inside))                       \
+                        F(crop_y1) F(bounds_lo) F(bounds_hi) F(light_picks) F(hides_background) F(cutoff)              \
+                            F(clear_shadows) F(starts_inside))                                                         \
   STRUCT(Light, F(position) F(type) F(direction) F(falloff) F(intensity) F(outer) F(inner) F(exponent) F(pad))         \
   STRUCT(LightGrid, F(grid_from_cell) F(cell_from_grid) F(nu) F(nv) F(nk) F(offset) F(slope_u) F(slope_v)              \
                         F(column_step) F(from_first) F(first_u) F(first_v) F(columns_u) F(columns_v))                  \
   STRUCT(Material, F(diffuse) F(model) F(specular) F(shininess) F(ambient) F(texture) F(emission) F(ior) F(reflection) \
-                       F(refraction) F(emission_texture) F(fresnel) F(absorption))                                                       \
+                       F(refraction) F(emission_texture) F(fresnel) F(absorption))                                     \
   STRUCT(Texture, F(type) F(width) F(height) F(offset) F(color_a) F(scale) F(color_b) F(clamp) F(uv_scale)             \
                       F(uv_offset) F(base) F(gain) F(pad))                                                             \
   STRUCT(Shape, F(type) F(material) F(pad) F(data))                                                                    \

@@ -26,10 +26,10 @@ typedef struct {
   uint pixel;   // y * width + x, y = 0 at the top
   Packed3 dir;  // unit, world space
   uint sample;
-  Packed3 weight;  // of its light in the sample: 1 for a camera ray
-  uint seed;       // of its random numbers
-  float heirs;     // how many rays it may send on, those that these send on included
-  float start;     // how far before its origin it begins: in the camera, or on the surface that sends it on
+  Packed3 weight;          // of its light in the sample: 1 for a camera ray
+  uint seed;               // of its random numbers
+  float heirs;             // how many rays it may send on, those that these send on included
+  float start;             // how far before its origin it begins: in the camera, or on the surface that sends it on
   int inside[INSIDE_MAX];  // materials that it is inside of, the last entered first; -1: no more
 } Ray;
 BRUME_LAYOUT(Ray, 72);

@@ -12,8 +12,8 @@
 namespace brume {
 namespace {
 
-constexpr int CELLS = 250000;     // of each kind
-constexpr int SAMPLES = 1024;     // along each ray
+constexpr int CELLS = 250000;      // of each kind
+constexpr int SAMPLES = 1024;      // along each ray
 constexpr double THINNEST = 1e-3;  // share of the way through a cell
 
 using Cell = std::array<float, 15>;  // corners, iso, entry, way: as probe_cell takes them

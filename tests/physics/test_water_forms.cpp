@@ -30,17 +30,20 @@ TEST(WaterForms, FresnelByTheTextbook) {
 
 TEST(WaterForms, APoolShowsItsFloorAtTheRefractedPlace) {
   constexpr double depth = 0.625, absorption = 0.75;
-  expect_closed_form("pool.json", [](const PlannedScene&, const reference::RayD& ray) {
-    const double cos_i = -ray.dir.y, sin_i = std::sqrt(1 - cos_i * cos_i), sin_t = sin_i / WATER,
-                 cos_t = std::sqrt(1 - sin_t * sin_t);
-    const dvec3 met = ray.at(ray.origin.y / cos_i);
-    const dvec3 along = sin_i > 0 ? dvec3(ray.dir.x, 0, ray.dir.z) / sin_i : dvec3(0);
-    const dvec3 place = met + depth * (sin_t / cos_t) * along;
-    const bool second = static_cast<int>(std::floor(8 * place.x) + std::floor(8 * place.z)) % 2 != 0;
-    const double mirrored = reference::fresnel(cos_i, 1 / WATER), upright = reference::fresnel(1, 1 / WATER);
-    const double floor = (second ? 0.25 : 0.875) / M_PI * 3 * (1 - upright) * std::exp(-depth * absorption);
-    return mirrored * 0.5 + (1 - mirrored) * std::exp(-depth * absorption / cos_t) * floor;
-  }, {}, 0, 2e-6);  // refracted rays begin 2^-17 aside of where they are met (PICTURE, Hits)
+  expect_closed_form(
+      "pool.json",
+      [](const PlannedScene&, const reference::RayD& ray) {
+        const double cos_i = -ray.dir.y, sin_i = std::sqrt(1 - cos_i * cos_i), sin_t = sin_i / WATER,
+                     cos_t = std::sqrt(1 - sin_t * sin_t);
+        const dvec3 met = ray.at(ray.origin.y / cos_i);
+        const dvec3 along = sin_i > 0 ? dvec3(ray.dir.x, 0, ray.dir.z) / sin_i : dvec3(0);
+        const dvec3 place = met + depth * (sin_t / cos_t) * along;
+        const bool second = static_cast<int>(std::floor(8 * place.x) + std::floor(8 * place.z)) % 2 != 0;
+        const double mirrored = reference::fresnel(cos_i, 1 / WATER), upright = reference::fresnel(1, 1 / WATER);
+        const double floor = (second ? 0.25 : 0.875) / M_PI * 3 * (1 - upright) * std::exp(-depth * absorption);
+        return mirrored * 0.5 + (1 - mirrored) * std::exp(-depth * absorption / cos_t) * floor;
+      },
+      {}, 0, 2e-6);  // refracted rays begin 2^-17 aside of where they are met (PICTURE, Hits)
 }
 
 // How far off the surface and its normal in the presence of a ball are from the sphere, in the mean.
@@ -50,7 +53,8 @@ struct Off {
 Off ball_off(int resolution) {
   const std::string n = std::to_string(resolution);
   const std::string text = R"({"shapes": [{"type": "isosurface", "density": {"type": "ball", "radius": 0.7, "ramp": 6,
-    "resolution": [)" + n + "," + n + "," + n + R"(]}}]})";
+    "resolution": [)" + n + "," +
+                           n + "," + n + R"(]}}]})";
   const PlannedScene scene = flatten(scene_read_text(text, "ball.json", {}), {bvh_width_for(16), {}});
   CheckRandom random;
   std::vector<float> in;

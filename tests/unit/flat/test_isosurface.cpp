@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "flat/flat_scene.hpp"
 #include "plan/planned_scene.hpp"
 #include "scene/scene_reader.hpp"
 
@@ -21,9 +22,10 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(FlattenIsosurface, AnIsoThatTheGridNeverReachesIsRefused) {
-  EXPECT_EQ(refusal(R"({"shapes": [{"type": "isosurface", "iso": 0.75, "density": {"type": "constant", "value": 0.5}}]})"),
-            "a.json: /shapes/0/iso: 0.75 is nowhere exceeded, the densities of the grid reach from 0 to 0.5; "
-            "expected 0 < iso < 0.5");
+  EXPECT_EQ(
+      refusal(R"({"shapes": [{"type": "isosurface", "iso": 0.75, "density": {"type": "constant", "value": 0.5}}]})"),
+      "a.json: /shapes/0/iso: 0.75 is nowhere exceeded, the densities of the grid reach from 0 to 0.5; "
+      "expected 0 < iso < 0.5");
   EXPECT_THAT(refusal(R"({"media": [{"type": "liquid", "model": "surface", "iso": 0.5,
                           "density": {"type": "constant", "value": 0.25}}]})"),
               testing::StartsWith("a.json: /media/0/iso: 0.5 is nowhere exceeded"));

@@ -18,6 +18,7 @@
 #include "measure.hpp"
 #include "peers.hpp"
 #include "render/device_scene.hpp"
+#include "scene_bench.hpp"
 
 namespace brume::bench {
 
@@ -171,6 +172,10 @@ std::vector<Row> benchmarks_run(const DeviceInfo& device, const std::vector<Work
   int count = 2;
   ::benchmark::Initialize(&count, pointers);
   for (const Workload& work : workloads) add_all(device, work, options, folder);
+  const std::vector<SceneCase> scenes = scene_cases();
+  for (const SceneCase& scene : scenes)
+    add("scene/" + scene.name, options.repetitions,
+        [&](::benchmark::State& state) { scene_benchmark(state, device, scene, workloads.front().desc.film.size); });
   RowReporter reporter(begin, report);
   std::ostringstream complaints;  // of a filter that is none, or that nothing matches
   reporter.SetErrorStream(&complaints);

@@ -135,6 +135,7 @@ std::string rows_legend() {
          "error           relative RMSE against the exact picture of the workload; of a peer (other programs) against\n"
          "                the picture that it converges to\n"
          "render/         one whole render, without reading files and building kernels\n"
+         "scene/          one whole render of a scene file; error against its picture by steps of a sixteenth\n"
          "process/        a whole brume from start to end, kernels cached, the picture written\n";
 }
 

@@ -21,7 +21,7 @@ constexpr std::size_t GROUP = 16;
 
 void fill_gradients(Context& context, const DevicePlan& device_scene, const cl::Program& program,
                     const PlannedScene& scene) {
-  cl::Kernel kernel = kernel_create(program, "presence_gradients");
+  cl::Kernel kernel = kernel_create(program, "probe_gradients");
   cl_uint argument = device_scene.set_arguments(kernel);
   const auto items = static_cast<cl_uint>(scene.gradient_bricks.size() * GRADIENT_ITEMS);
   kernel.setArg(argument++, items);

@@ -1,4 +1,4 @@
-// Where the bricks of liquids lie, whose gradients a pass of the device computes (kernels/passes/presence_gradients.cl).
+// Where the bricks of liquids lie, whose gradients a pass of the device computes (kernels/density/gradients.cl).
 #include <set>
 
 #include "flat/bricks.hpp"

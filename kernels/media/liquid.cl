@@ -90,7 +90,8 @@ static inline float3 liquid_light(const Scene* scene, const LiquidRay* r, float 
     float3 sent = cosine * vec_unpack(liquid->diffuse);
     if (seen) {
       const float half_way = dot(normal, normalize(to_viewer - light.travel));
-      if (liquid->shininess * (half_way - 1.0f) > LOBE_DARK && half_way > 0.0f) sent += vec_unpack(liquid->specular) * exp(liquid->shininess * log(half_way));
+      if (liquid->shininess * (half_way - 1.0f) > LOBE_DARK && half_way > 0.0f)
+        sent += vec_unpack(liquid->specular) * exp(liquid->shininess * log(half_way));
     }
     sum += pick.weight * light.irradiance * sent;
   }
@@ -199,6 +200,7 @@ OUTLINED void liquid_steps(const Scene* scene, LiquidRay* r, int m, const Presen
   lanes_store(at->after, after);
   lanes_store(at->number, number);
   lanes_store(lit, light);
+  (void)integral;  // with one lane there are none before
   lanes_store(lanes_before(integral), depth);
   for (int i = 0; i < W; ++i) {
     if (!(light[i] > 0.0f)) continue;

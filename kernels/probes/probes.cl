@@ -1,12 +1,12 @@
 // Entry points that run single device functions on arrays, for `brume check` and the kernel tests. All have one form:
 // item i reads its floats of `in` and writes its floats of `out`; host/check knows the strides.
 #include "density/density.cl"
+#include "density/gradients.cl"
 #include "lib/camera.cl"
 #include "materials/inside.cl"
 #include "materials/material.cl"
 #include "materials/surface.cl"
 #include "media/scatter.cl"
-#include "passes/presence_gradients.cl"
 #include "shapes/cell_crossing.cl"
 #include "shared/aov.h"
 #include "shared/layout.h"
@@ -23,6 +23,12 @@ static inline void probe_store3(float3 v, __global float* p) {
   p[0] = v.x;
   p[1] = v.y;
   p[2] = v.z;
+}
+
+// What liquids need before any other probe: out: their gradients
+__kernel void probe_gradients(SCENE_ARGS, uint count, __global Voxel* out) {
+  PROBE_ITEM;
+  gradient_row(&scene, item, out);
 }
 
 // in: pixel, sample, dimension, seed as bits. out: u

@@ -163,6 +163,18 @@ static inline floatW presence_integral(const Presence* w, const PresenceSteps* a
   return at->size * presence_mean(at->before, at->after, (floatW)(w->outside));
 }
 
+// ∫ρ over what is left of the walk, until it is black by an extinction of `sigma`.
+static inline float presence_total(const Scene* scene, const Medium* medium, const MediumRay* ray, Presence* w,
+                                   float sigma, uint* lookups) {
+  PresenceSteps at;
+  float total = 0.0f;
+  while (total * sigma < TAU_STOP && presence_next(scene, medium, ray, w, &at)) {
+    total += lanes_sum(presence_integral(w, &at));
+    *lookups += (uint)at.count;
+  }
+  return total;
+}
+
 // As segments, which carry their ∫ρ.
 static inline void presence_fill(const Scene* scene, const Medium* medium, const MediumRay* ray, Presence* w,
                                  Segments* out) {

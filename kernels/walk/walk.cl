@@ -166,8 +166,10 @@ static inline float walk_total(const Scene* scene, const Medium* medium, const M
   if (IS_PRODUCT(medium)) return homogeneous_total(medium, ray);
   Walk walk = walk_begin(scene, medium, ray, random, purpose);
   const int light_steps = METHOD_IS(medium, ADAPTIVE) && purpose == WALK_TO_LIGHT && medium->light_steps;
-  if (!RULE_IS(medium, LINEAR) && (WALKED_IS(medium, STEPS) || light_steps))
-    return steps_total(scene, medium, ray, &walk.steps, sigma, lookups);
+#if BRUME_LIQUID
+  if (RULE_IS(medium, LINEAR)) return presence_total(scene, medium, ray, &walk.presence, sigma, lookups);
+#endif
+  if (WALKED_IS(medium, STEPS) || light_steps) return steps_total(scene, medium, ray, &walk.steps, sigma, lookups);
   Segments at;
   float total = 0.0f;
   while (total * sigma < TAU_STOP) {  // one call of walk_next: every call site is compiled anew

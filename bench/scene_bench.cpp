@@ -13,8 +13,8 @@ namespace brume::bench {
 
 namespace {
 
-constexpr const char* SCENES[] = {"dam_break_local"};
-constexpr double FINER = 16;  // steps of the picture that the error is against
+constexpr const char* SCENES[] = {"dam_break_local", "dam_break", "whitted"};
+constexpr double FINER = 16;  // steps of the picture that the error is against; surfaces have none, nor an error
 
 Film rendered(Renderer& renderer, glm::ivec2 size) {
   Film film(size);

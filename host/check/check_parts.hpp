@@ -30,6 +30,7 @@ struct SceneText {
   const char* text;
 };
 const std::vector<SceneText>& liquid_scenes();  // part of them
+const std::vector<SceneText>& glass_scenes();
 std::vector<std::string> check_scene_names();
 SceneDesc check_scene_desc(const std::string& name);
 PlannedScene check_scene(const std::string& name, int size, int bvh_width);

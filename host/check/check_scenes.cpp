@@ -62,6 +62,7 @@ const std::vector<SceneText>& all_scenes() {
   static const std::vector<SceneText> scenes = [] {
     std::vector<SceneText> all(std::begin(SURFACE_SCENES), std::end(SURFACE_SCENES));
     all.insert(all.end(), std::begin(MEDIA_SCENES), std::end(MEDIA_SCENES));
+    all.insert(all.end(), glass_scenes().begin(), glass_scenes().end());
     all.insert(all.end(), liquid_scenes().begin(), liquid_scenes().end());
     return all;
   }();

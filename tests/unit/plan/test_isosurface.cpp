@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "flat/flat_scene.hpp"
 #include "plan/planned_scene.hpp"
 #include "scene/scene_reader.hpp"
 

@@ -23,14 +23,17 @@ namespace brume {
 
 namespace {
 
-void outputs_check(const RenderArguments& arguments, int first) {
+// Pictures of a sequence are often named as what they are made of.
+void outputs_check(const RenderArguments& arguments, const SequenceScene& scene, int first) {
   const RenderArguments one = arguments.of_frame(first);
   std::vector<NamedFile> files;
   for (const std::filesystem::path& output : one.outputs) files.push_back({"-o", output});
   files.insert(
       files.end(),
       {{"--stats", arguments.stats}, {"--save-scene", arguments.save_scene}, {"--save-camera", arguments.save_camera}});
-  output_files_check(files, {{"the input", one.scene}, {"--camera", one.camera}});
+  std::vector<NamedFile> inputs{{"the input", one.scene}, {"--camera", one.camera}};
+  for (const std::filesystem::path& file : scene.files(first)) inputs.push_back({"the scene's", file});
+  output_files_check(files, inputs);
   for (const std::filesystem::path& output : one.outputs) image_check_writable(output);
   if (!arguments.stats.empty()) AtomicFile(arguments.stats);
 }
@@ -159,7 +162,7 @@ int sequence_render(const RenderArguments& arguments) {
     report.say("kept: " + frames_name(finished) + ", whose pictures are there; --overwrite renders them again");
   std::vector<int> wanted;
   std::set_difference(frames.begin(), frames.end(), finished.begin(), finished.end(), std::back_inserter(wanted));
-  outputs_check(arguments, wanted.empty() ? frames.front() : wanted.front());
+  outputs_check(arguments, scene, wanted.empty() ? frames.front() : wanted.front());
   scene_save(arguments, scene, frames.front());
   const std::vector<int> todo = frames_begin(arguments, scene, wanted, report);
   const InterruptRescue rescue([&] {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <fstream>
 
 #include "base/atomic_file.hpp"
 #include "base/frame_pattern.hpp"
@@ -50,9 +51,22 @@ nlohmann::ordered_json SequenceReport::row(int frame, const char* state) const {
   return json;
 }
 
+// With what the file of --stats says of them, where it is there from the run that rendered them.
 void SequenceReport::kept(const std::vector<int>& frames) {
+  std::map<int, nlohmann::ordered_json> before;
+  std::ifstream in(arguments_.stats);
+  const auto file = nlohmann::ordered_json::parse(in, nullptr, false);
+  if (file.is_object() && file.contains("frames") && file["frames"].is_array())
+    for (const auto& old : file["frames"])
+      if (old.is_object() && old.contains("frame") && old["frame"].is_number_integer()) before[old["frame"]] = old;
   const Lock lock(access_);
-  for (const int frame : frames) rows_[frame] = row(frame, "kept");
+  for (const int frame : frames) {
+    rows_[frame] = row(frame, "kept");
+    if (const auto old = before.find(frame); old != before.end() && old->second["outputs"] == rows_[frame]["outputs"]) {
+      rows_[frame] = old->second;
+      rows_[frame]["state"] = "kept";
+    }
+  }
   kept_ = frames;
 }
 

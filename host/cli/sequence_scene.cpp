@@ -114,10 +114,14 @@ std::vector<fs::path> SequenceScene::missing(int frame) const {
     return files;
   };
   if (const std::vector<fs::path> first = absent(needed); !first.empty()) return first;
+  return absent(files(frame));
+}
+
+std::vector<fs::path> SequenceScene::files(int frame) const {
   try {
-    return absent(scene_files(describe(frame)).paths());
+    return scene_files(describe(frame)).paths();
   } catch (const InputError&) {
-    return {};  // damaged, which is told in its turn
+    return {};
   }
 }
 

@@ -27,6 +27,8 @@ class SequenceScene {
   // The scene with the names of the sequence in it and the camera of one frame. Not where each has a scene of its own.
   SceneDesc describe_all(int camera_of) const;
   bool scene_each() const { return text_.file.empty(); }
+  // What the description of a frame names; nothing where it cannot be read, which is told in its turn.
+  std::vector<std::filesystem::path> files(int frame) const;
   // The files that the frame needs and that are not there.
   std::vector<std::filesystem::path> missing(int frame) const;
 

@@ -65,6 +65,10 @@ TEST_F(Frames, FinishedOnesAreKeptOnARestart) {
   EXPECT_EQ(text(folder_ / "f_2.png"), "as it was");
   EXPECT_EQ(stats("s.json")["kept"], 2);
   EXPECT_EQ(stats("s.json")["frames"][1]["state"], "kept");
+  EXPECT_FALSE(stats("s.json")["frames"][1].contains("render_s"));
+  ASSERT_EQ(run("render film.json --frames 1-4 -o f_%d.png --quiet --stats s.json").exit_code, 0);  // what was known
+  EXPECT_EQ(stats("s.json")["frames"][0]["state"], "kept");
+  EXPECT_GT(stats("s.json")["frames"][0]["render_s"], 0);
   EXPECT_EQ(run("render film.json --frames 1-4 -o f_%d.png --overwrite").out, "f_1.png\nf_2.png\nf_3.png\nf_4.png\n");
   EXPECT_NE(text(folder_ / "f_2.png"), "as it was");
 }
@@ -116,6 +120,28 @@ TEST_F(Frames, MistakesAreOneLine) {
   expect_refused("render film.json --frames 1 -o f_%d.png --stats s_%d.json", 2, "there is one for all frames");
   write("one.json", "{}");
   expect_refused("render one.json --frames 1-4 -o f_%d.png", 2, "nothing differs from frame to frame");
+}
+
+TEST_F(Frames, PicturesNeverReplaceWhatTheyAreMadeOf) {
+  expect_refused("render film.json --frames 1-4 -o t_%02d.png --overwrite", 2, "is the same file as the scene's");
+}
+
+TEST_F(Frames, WithoutADeviceItEnds) {
+  const Outcome r = run("render film.json --frames 1-4 -o f_%d.png --device nosuch", "", "timeout 20");
+  EXPECT_EQ(r.exit_code, 2);
+  EXPECT_THAT(r.err, HasSubstr("nosuch"));
+}
+
+// By the script of scenes/, with the program that is tested.
+TEST_F(Frames, AFilmIsMadeWhereFfmpegIs) {
+  const std::string film = "cd " + folder_.string() + " && BRUME=" BRUME_BINARY " ",
+                    rest = "/bin/bash " BRUME_SOURCE_DIR "/scenes/film film.json 1-4 film.mp4 --quiet >out 2>err";
+  EXPECT_NE(std::system((film + "PATH=/nowhere " + rest).c_str()), 0);
+  EXPECT_EQ(text(folder_ / "err"), "film: ffmpeg: not there; Debian's package ffmpeg has it\n");
+  if (std::system("command -v ffmpeg >/dev/null") != 0) GTEST_SKIP() << "ffmpeg is not installed";
+  EXPECT_EQ(std::system((film + rest).c_str()), 0) << text(folder_ / "err");
+  EXPECT_EQ(text(folder_ / "out"), "film.mp4: 4 frames, 24 a second\n");
+  EXPECT_GT(fs::file_size(folder_ / "film.mp4"), 500u);
 }
 
 TEST_F(Frames, AMistakeOfTheSceneEndsIt) {

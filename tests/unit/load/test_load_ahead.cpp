@@ -56,6 +56,19 @@ TEST(LoadAhead, AnotherFrameSharesWhatItNamesToo) {
   EXPECT_TRUE(LoadedScene().shared_with(next).costs().empty());
 }
 
+// Textures that a mesh names are shared with it.
+TEST(LoadAhead, AnotherFrameSharesTexturesOfMeshes) {
+  const std::filesystem::path folder = std::filesystem::path(BRUME_SOURCE_DIR) / "scenes/data";
+  SceneDesc desc;
+  desc.shapes.push_back({MeshDesc{folder / "lighthouse.obj", {}, {}, {}}, -1, "/shapes/0"});
+  LoadedScene loaded;
+  loaded.mesh(folder / "lighthouse.obj");
+  loaded.texture(folder / "lighthouse.png");
+  loaded.texture(folder / "sea.png");
+  loaded.texture(folder / "../pictures/fire.jpg");  // of nothing that the next frame names
+  EXPECT_EQ(loaded.shared_with(desc).costs().size(), 3u);
+}
+
 TEST(LoadAhead, FilesOfASceneAreListed) {
   SceneDesc desc;
   desc.media = {perlin(1), MediumDesc{}, MediumDesc{}};

@@ -45,6 +45,7 @@ void add_bricks(const RooflineBench& bench) {
   const double voxels = static_cast<double>(size.x) * size.y * size.z;
   const auto build = [&] {
     Medium medium{};
+    medium.liquid = -1;
     FlatScene scene;
     medium.interpolation = INTERPOLATION_TRILINEAR;
     bricks_append(grid, medium, scene);

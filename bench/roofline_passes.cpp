@@ -108,7 +108,7 @@ Renders sphere_renders(const RooflineBench& bench, double reflection, SphereScen
 
 void roofline_lookups(const RooflineBench& bench) {
 #define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
-  if ((fits) != FITS_CONSTANT) add_lookups(bench, name, METHOD_##id);
+  if ((fits) & (FITS_NEAREST | FITS_TRILINEAR)) add_lookups(bench, name, METHOD_##id);
   BRUME_METHODS(ROW)
 #undef ROW
   add_light_grid_points(bench);

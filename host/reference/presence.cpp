@@ -90,8 +90,9 @@ dvec3 presence_gradient(const PlannedScene& scene, const Medium& medium, const d
   const ivec3 cell = cell_at(medium, p);
   const int number = brick_number(scene, medium, cell);
   const Liquid& liquid = scene.liquids[static_cast<std::size_t>(medium.liquid)];
-  if (number == BRICK_EMPTY || scene.gradient_bricks[static_cast<std::size_t>(number + liquid.gradients)].medium < 0)
-    return dvec3(0);
+  if (number == BRICK_EMPTY) return dvec3(0);
+  const int brick = number + liquid.gradients;
+  if (scene.gradient_bricks[static_cast<std::size_t>(brick)].medium < 0) return dvec3(0);
   const dvec3 share = p - dvec3(cell);
   dvec3 gradient(0);
   for (int corner = 0; corner < 8; ++corner) {

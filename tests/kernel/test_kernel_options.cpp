@@ -57,8 +57,8 @@ Tolds device_values() {
 void expect_builds(const Tolds& tolds) {
   static const std::string source = [] {
     std::string text;
-    for (const char* pass : {"light_grid", "primary_rays", "traverse_dda", "shadow_transmittance", "shade",
-                             "secondary_rays", "accumulate"})
+    for (const char* pass : {"presence_gradients", "light_grid", "primary_rays", "traverse_dda", "shadow_transmittance",
+                             "shade", "secondary_rays", "accumulate"})
       text += std::string("#include \"passes/") + pass + ".cl\"\n";
     return kernel_source_text(text, "all passes");
   }();

@@ -55,7 +55,7 @@ constexpr bool has_setting(int method) {
 
 // The workloads are grids: what fits a constant density only has nothing to do there.
 #define ROW(id, name, fits, placement, rule, share, jitter, draws, exact, help) \
-  static_assert(has_setting(METHOD_##id) || (fits) == FITS_CONSTANT, "no setting measures " name);
+  static_assert(has_setting(METHOD_##id) || !((fits) & (FITS_NEAREST | FITS_TRILINEAR)), "no setting measures " name);
 BRUME_METHODS(ROW)
 #undef ROW
 

@@ -18,10 +18,14 @@ namespace {
 // Which methods a sweep is for.
 bool any_method(const MethodRow&) { return true; }
 bool draws_nothing(const MethodRow& row) { return row.draws == DRAWS_NOTHING; }
-bool takes_rules(const MethodRow& row) { return draws_nothing(row) && row.placement != PLACEMENT_PIECES; }
+bool takes_rules(const MethodRow& row) {
+  return draws_nothing(row) && row.placement != PLACEMENT_PIECES && row.rule != RULE_LINEAR;
+}
 bool draws(const MethodRow& row) { return row.draws != DRAWS_NOTHING; }
-// Light grids serve all that do not collide; a constant density needs none.
-bool walks(const MethodRow& row) { return row.draws != DRAWS_COLLISIONS && row.rule != RULE_PRODUCT; }
+// Light grids serve all that scatter and do not collide; a constant density needs none.
+bool walks(const MethodRow& row) {
+  return row.draws != DRAWS_COLLISIONS && row.rule != RULE_PRODUCT && row.rule != RULE_LINEAR;
+}
 bool samples_middles(const MethodRow& row) { return walks(row) && row.draws == DRAWS_NOTHING && row.share == 0.5f; }
 bool reads_voxels(const MethodRow& row) { return draws_nothing(row) && row.rule != RULE_PRODUCT; }
 
@@ -211,7 +215,8 @@ SceneDesc exact_desc(const SceneDesc& desc, int spp) {
 SceneDesc exact_desc_fine(const SceneDesc& desc, int spp, const KnobLimits& limits) {
   constexpr double STEPS_IN_A_CELL = 4;
   SceneDesc exact = exact_desc(desc, spp);
-  exact.render.method = METHOD_MARCH_MIDPOINT;
+  const auto is_density = [](const MediumDesc& m) { return m.type != MEDIUM_LIQUID; };
+  if (std::any_of(desc.media.begin(), desc.media.end(), is_density)) exact.render.method = METHOD_MARCH_MIDPOINT;
   exact.render.step = 1 / (STEPS_IN_A_CELL * limits.cells);
   return exact;
 }

@@ -1,9 +1,11 @@
 // How materials reflect one light, and textures.
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "check/check_parts.hpp"
 #include "check/row_scenes.hpp"
+#include "reference/glass.hpp"
 #include "reference/surface.hpp"
 #include "scene/families.hpp"
 
@@ -86,6 +88,26 @@ Check texture_check(const std::string& name, int row, TexturedScene make) {
   return {"texture/" + name, "texture", prepare};
 }
 
+// From either side of glass, water, diamond and of nothing, at all angles.
+CheckCompare fresnel_prepare(int size) {
+  return [items = size * size](Context& context, int lanes, ErrorSum& sum) {
+    const PlannedScene scene = row_scene(material_desc(MATERIAL_LAMBERT), "material", 8, std::max(lanes, 4));
+    constexpr double IORS[] = {1.5, 1.33, 2.42, 1};
+    CheckRandom random;
+    std::vector<float> in;
+    for (int i = 0; i < items; ++i) {
+      const double ior = IORS[i % std::size(IORS)];
+      in.push_back(i < 8 ? static_cast<float>(i / 4) : static_cast<float>(random.uniform(0, 1)));
+      in.push_back(static_cast<float>(i / 4 % 2 ? ior : 1 / ior));
+    }
+    const std::vector<float> found = Probe(context, scene, lanes).run("probe_fresnel", in, 2, 1);
+    for (int i = 0; i < items; ++i) {
+      const double cosine = in[2 * i], eta = in[2 * i + 1], k = 1 - eta * eta * (1 - cosine * cosine);
+      if (std::abs(k) > 1e-4) sum.add(found[i], reference::fresnel(cosine, eta));  // a root of what is next to 0
+    }
+  };
+}
+
 }  // namespace
 
 std::vector<Check> material_checks() {
@@ -93,6 +115,7 @@ std::vector<Check> material_checks() {
   for (const FamilyRow& row : material_family())
     checks.push_back({"material/" + std::string(row.name), "material",
                       [model = row.id](int size) { return material_prepare(model, size); }});
+  checks.push_back({"glass/fresnel", "fresnel", fresnel_prepare});
   for (const FamilyRow& row : texture_family())
     checks.push_back(
         texture_check(std::string(row.name), row.id, row.id == TEXTURE_IMAGE ? repeated_image : made_texture));

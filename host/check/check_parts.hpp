@@ -25,6 +25,11 @@ std::vector<Check> image_checks();     // image
 
 // Small scenes with a bit of everything, made here and not read from files: `brume check` works wherever brume is
 // installed. What has a row in a family does not depend on being in one of them: row_scenes.hpp.
+struct SceneText {
+  const char* name;
+  const char* text;
+};
+const std::vector<SceneText>& liquid_scenes();  // part of them
 std::vector<std::string> check_scene_names();
 SceneDesc check_scene_desc(const std::string& name);
 PlannedScene check_scene(const std::string& name, int size, int bvh_width);

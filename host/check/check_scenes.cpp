@@ -1,10 +1,12 @@
-// The scenes of `brume check`: their texts (check_scene_texts.hpp), and meshes that are computed.
+// The scenes of `brume check`: their texts (check_media_texts.hpp, check_surface_texts.hpp), and meshes that are computed.
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 
 #include "base/error.hpp"
+#include "check/check_media_texts.hpp"
 #include "check/check_parts.hpp"
-#include "check/check_scene_texts.hpp"
+#include "check/check_surface_texts.hpp"
 #include "check/row_scenes.hpp"
 #include "scene/scene_reader.hpp"
 
@@ -55,16 +57,26 @@ void torus_smooth(PlannedScene& scene) {
   });
 }
 
+const std::vector<SceneText>& all_scenes() {
+  static const std::vector<SceneText> scenes = [] {
+    std::vector<SceneText> all(std::begin(SURFACE_SCENES), std::end(SURFACE_SCENES));
+    all.insert(all.end(), std::begin(MEDIA_SCENES), std::end(MEDIA_SCENES));
+    all.insert(all.end(), liquid_scenes().begin(), liquid_scenes().end());
+    return all;
+  }();
+  return scenes;
+}
+
 }  // namespace
 
 std::vector<std::string> check_scene_names() {
   std::vector<std::string> names;
-  for (const SceneText& scene : SCENES) names.emplace_back(scene.name);
+  for (const SceneText& scene : all_scenes()) names.emplace_back(scene.name);
   return names;
 }
 
 SceneDesc check_scene_desc(const std::string& name) {
-  for (const SceneText& scene : SCENES) {
+  for (const SceneText& scene : all_scenes()) {
     if (name != scene.name) continue;
     SceneDesc desc = scene_read_text(scene.text, name + ".json", {});
     if (name == "mesh") torus_add(desc);

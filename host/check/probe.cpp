@@ -17,26 +17,40 @@ cl::Program probe_program(const Context& context, const PlannedScene& scene, int
   return program_build(context, source, kernel_options(scene, scene, context.device(), lanes, true));
 }
 
+constexpr std::size_t GROUP = 16;
+
+void fill_gradients(Context& context, const DevicePlan& device_scene, const cl::Program& program,
+                    const PlannedScene& scene) {
+  cl::Kernel kernel = kernel_create(program, "presence_gradients");
+  cl_uint argument = device_scene.set_arguments(kernel);
+  const auto items = static_cast<cl_uint>(scene.gradient_bricks.size() * GRADIENT_ITEMS);
+  kernel.setArg(argument++, items);
+  kernel.setArg(argument++, device_scene.gradients());
+  context.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((items + GROUP - 1) / GROUP * GROUP),
+                                       cl::NDRange(GROUP));
+}
+
 }  // namespace
 
 std::vector<float> Probe::run(const char* name, const std::vector<float>& in, std::size_t in_stride,
                               std::size_t out_stride) const {
-  constexpr std::size_t group = 16;
   const std::size_t count = in.size() / in_stride;
   std::vector<float> out(count * out_stride);
   const DriverGuard guard;
   try {
     DeviceScene uploaded(context_, scene_);
     const DevicePlan device_scene(context_, uploaded, scene_, 3);
-    cl::Kernel kernel = kernel_create(probe_program(context_, scene_, lanes_), name);
+    const cl::Program program = probe_program(context_, scene_, lanes_);
+    if (uploaded.gradients_wanted(scene_.storage)) fill_gradients(context_, device_scene, program, scene_);
+    cl::Kernel kernel = kernel_create(program, name);
     cl_uint argument = device_scene.set_arguments(kernel);
     const cl::Buffer in_buffer = context_.buffer("probe inputs", in),
                      out_buffer = context_.buffer("probe results", out);
     kernel.setArg(argument++, static_cast<cl_uint>(count));
     kernel.setArg(argument++, in_buffer);
     kernel.setArg(argument++, out_buffer);
-    context_.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((count + group - 1) / group * group),
-                                          cl::NDRange(group));
+    context_.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((count + GROUP - 1) / GROUP * GROUP),
+                                          cl::NDRange(GROUP));
     context_.queue().enqueueReadBuffer(out_buffer, CL_TRUE, 0, out.size() * sizeof(float), out.data());
   } catch (const cl::Error& error) {
     throw RuntimeError(context_.device().title() + ": " + name + ": " + error.what() +

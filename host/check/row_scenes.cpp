@@ -32,6 +32,7 @@ std::vector<DensityKind> density_kinds() {
   std::vector<DensityKind> kinds;
   for (const FamilyRow& row : interpolation_family())
     kinds.push_back({std::string(row.name), INTERPOLATION_FITS[row.id], row.id});
+  kinds.push_back({"presence", FITS_PRESENCE, INTERPOLATION_TRILINEAR});
   kinds.push_back({"constant", FITS_CONSTANT, INTERPOLATION_TRILINEAR});
   return kinds;
 }
@@ -60,6 +61,13 @@ SceneDesc fog_desc(const DensityKind& kind, int method) {
   fog.emission = {0, 0.05, 0.1};
   fog.phase = PHASE_HENYEY_GREENSTEIN;
   fog.g = 0.6;
+  if (kind.fits == FITS_PRESENCE) {
+    fog.type = MEDIUM_LIQUID;
+    fog.sigma_s = fog.emission = dvec3(0);
+    fog.liquid.outside = 0.4;
+    fog.liquid.specular = {0.3, 0.5, 0.7};
+    fog.density.presence = PRESENCE_REFUSE;
+  }
   LightDesc sun, lamp;
   sun.type = LIGHT_DIRECTIONAL;
   sun.direction = {-0.4, -1, -0.6};

@@ -26,6 +26,7 @@ inline constexpr Tolerance TOLERANCES[] = {
     {"surface", 2e-4, 1, "normal and uv at a point that carries the error of t; uv of a sphere near its poles"},
     {"material", 2e-5, 0.1,
      "unit vectors carry 1 ulp each, the lobe's cosine some 5; raised to the shininess, 20, it carries 20 times that"},
+    {"fresnel", 2e-5, 0.1, "near total reflection a root of 1e-4 carries 1e2 ulp of the angle"},
     {"texture", 3e-5, 0.1,
      "weights carry the error of uv times the texture's size, 32 texels, and its repetitions, 1.5; then a gain"},
     {"light", 2e-5, 0.1,

@@ -103,7 +103,7 @@ bool Picture::measure() {
 
 void Picture::notes_finish() {
   const std::size_t known = notes_.size();
-  if (renderer_.stats().dropped_rays > 0) notes_.push_back(dropped_note(renderer_.stats()));
+  if (dropped_count(renderer_.stats())) notes_.push_back(dropped_note(renderer_.stats(), prepared_.flat.frame.cutoff));
   if (renderer_.stats().invalid_samples > 0) notes_.push_back(invalid_note(renderer_.stats()));
   const std::string missed = goal_missed_note(prepared_.desc.render, error_.witness);
   if (!missed.empty()) notes_.push_back(missed);

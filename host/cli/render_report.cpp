@@ -87,12 +87,15 @@ ImageMetadata render_metadata(const SceneDesc& desc, const PlannedScene& flat, c
   return all;
 }
 
-std::string dropped_note(const RenderStats& stats) {
+bool dropped_count(const RenderStats& stats) { return stats.dropped_weight > 1e-3 * stats.primary_rays; }
+
+std::string dropped_note(const RenderStats& stats, double cutoff) {
   char text[256];
-  std::snprintf(text, sizeof text,
-                "%.0f reflected and refracted rays were dropped, a sample may send on %d; together they weigh %.2g %% "
-                "of a sample in the mean",
-                stats.dropped_rays, SECONDARY_RAYS_MAX, 100 * stats.dropped_weight / stats.primary_rays);
+  std::snprintf(
+      text, sizeof text,
+      "%.0f reflected and refracted rays were dropped, a sample may send on %d, none that weighs less than %g; "
+      "together they weigh %.2g %% of a sample in the mean",
+      stats.dropped_rays, SECONDARY_RAYS_MAX, cutoff, 100 * stats.dropped_weight / stats.primary_rays);
   return text;
 }
 

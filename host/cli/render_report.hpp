@@ -22,7 +22,9 @@ std::string render_stats_json(const SceneDesc& desc, const PlannedScene& flat, c
 ImageMetadata render_metadata(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,
                               const RenderStats& stats, const PictureError& error);
 // What is told where reflected and refracted rays were dropped.
-std::string dropped_note(const RenderStats& stats);
+// Whether the dropped rays together weigh more than a thousandth of a sample; what is told of them then.
+bool dropped_count(const RenderStats& stats);
+std::string dropped_note(const RenderStats& stats, double cutoff);
 // What is told where samples were left out.
 std::string invalid_note(const RenderStats& stats);
 std::string render_summary(const SceneDesc& desc, const PlannedScene& flat, const DeviceInfo& device,

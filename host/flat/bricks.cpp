@@ -208,7 +208,7 @@ std::int32_t Cutter::brick_cut_entry(ivec3 b) {
     if (is_new) known->second = store(brick);
     return known->second;
   }
-  if (of_stored_blocks(b)) return store(brick);
+  if (medium_.liquid >= 0 || of_stored_blocks(b)) return store(brick);
   const std::size_t hash = hash_of(brick.samples);
   const auto [begin, end] = same_.equal_range(hash);
   for (auto i = begin; i != end; ++i)

@@ -8,10 +8,15 @@
 namespace brume {
 
 // Appends the bricks of a grid: index, ranges and samples; fills in the medium's geometry. Throws InputError where the
-// scene would hold more of them than 32-bit offsets can count. The second form gives the grid's memory back as it goes:
+// scene would hold more of them than 32-bit offsets can count. A medium whose `liquid` is not -1 shares bricks of one
+// value only: others have gradients of their own. The second form gives the grid's memory back as it goes:
 // afterwards it reads as 0.
 void bricks_append(const Grid& grid, Medium& medium, FlatScene& scene);
 void bricks_append(Grid&& grid, Medium& medium, FlatScene& scene);
+
+// The bricks of a grid of presences, the last that were appended, from that of first_voxel on: adds them to those whose
+// gradients are stored, as part of the medium that comes next. Returns Liquid::gradients.
+int gradient_bricks_append(const Medium& medium, std::size_t first_voxel, FlatScene& scene);
 
 // What bricks_append says of the grid itself, without where it stands.
 BrickGrid brick_grid_of(const Medium& medium);

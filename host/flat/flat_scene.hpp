@@ -41,6 +41,8 @@ struct FlatScene {
   std::vector<float> texels;  // 3 per texel, linear RGB
 
   std::vector<Shape> shapes;
+  std::vector<Isosurface> isosurfaces;
+  std::vector<uint> iso_masks;  // which cells of a brick each of them may cross
   std::vector<Triangle> triangles;
   int bvh_width = 4;
   std::vector<float> bvh_nodes;  // layout: shared/bvh.h
@@ -51,8 +53,10 @@ struct FlatScene {
   std::vector<BrickGrid> grids;
   std::vector<PlacedGrid> placed;  // their densities, of a grid or constant
   std::vector<MediumBody> media;
-  std::vector<MediumSize> sizes;     // one per medium
-  std::vector<std::int32_t> bricks;  // entries of all media, layout: shared/medium.h
+  std::vector<Liquid> liquids;
+  std::vector<GradientBrick> gradient_bricks;  // of their grids, in the order of the stored bricks
+  std::vector<MediumSize> sizes;               // one per medium
+  std::vector<std::int32_t> bricks;            // entries of all media, layout: shared/medium.h
   std::vector<float> brick_ranges;
   std::vector<float> voxels;  // as given
   bool color_tau = false;     // some medium's sigma_t differs between channels: τ has three

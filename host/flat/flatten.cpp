@@ -33,7 +33,8 @@ dvec3 origin_choose(const Bounds& bounds) {
 
 }  // namespace
 
-FlatScene scene_flatten(const SceneDesc& desc, LoadedScene& loaded, int bvh_width) {
+FlatScene scene_flatten(const SceneDesc& given, LoadedScene& loaded, int bvh_width) {
+  const SceneDesc desc = liquids_as_shapes(given);
   std::vector<std::string> for_the_plan;
   media_check(desc, media_rows(desc), for_the_plan);  // before large files are read for nothing
   FlatScene scene;
@@ -54,7 +55,7 @@ FlatScene scene_flatten(const SceneDesc& desc, LoadedScene& loaded, int bvh_widt
   flatten_materials(desc, loaded, shapes, scene);
   flatten_shapes(shapes, scene);
   flatten_emitters(desc, scene);
-  flatten_media(media, loaded.needed_again, scene);
+  flatten_media(media, shapes.isosurfaces, loaded.needed_again, scene);
   return scene;
 }
 

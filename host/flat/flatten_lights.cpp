@@ -118,7 +118,7 @@ void flatten_emitters(const SceneDesc& desc, FlatScene& scene) {
     if (extent.area > 0) {
       source_add(static_cast<int>(i), emission(shape.material), extent, scene);
     } else {
-      note_once(scene.notes, "a surface without bounds that emits is seen and lights nothing");
+      note_once(scene.notes, "a plane or isosurface that emits is seen and lights nothing");
     }
   }
   for (std::size_t i = 0; i < scene.triangles.size(); ++i) {

@@ -1,5 +1,6 @@
 // Materials of the scene and of meshes, and their textures.
 #include <algorithm>
+#include <glm/common.hpp>
 #include <map>
 #include <tuple>
 
@@ -89,7 +90,10 @@ class TextureTable {
   std::map<std::filesystem::path, Texture> images_;
 };
 
-Material material_flatten(const MaterialDesc& m, TextureTable& textures) {
+constexpr double ABSORPTION_MAX = 1e30;  // more absorption per flat unit leaves nothing, over any length
+
+// `unit`: of the flat scene.
+Material material_flatten(const MaterialDesc& m, double unit, TextureTable& textures) {
   Material out{};
   out.model = m.model;
   out.diffuse = packed(m.diffuse);
@@ -100,6 +104,12 @@ Material material_flatten(const MaterialDesc& m, TextureTable& textures) {
   out.ior = static_cast<float>(m.ior);
   out.reflection = static_cast<float>(m.reflection);
   out.refraction = static_cast<float>(m.refraction);
+  out.fresnel = m.fresnel;
+  if (m.fresnel) {
+    out.refraction = static_cast<float>(m.reflection + m.refraction);
+    out.reflection = 0;
+  }
+  out.absorption = packed(glm::min(m.absorption * unit, dvec3(ABSORPTION_MAX)));
   out.texture = m.texture ? textures.add(*m.texture) : -1;
   out.emission_texture = -1;
   return out;
@@ -118,7 +128,7 @@ int mesh_texture(const MeshTexture& texture, TextureTable& textures, std::vector
   }
 }
 
-Material material_flatten(const MeshMaterial& m, TextureTable& textures, std::vector<std::string>& notes) {
+Material material_flatten(const MeshMaterial& m, double unit, TextureTable& textures, std::vector<std::string>& notes) {
   MaterialDesc desc;
   desc.diffuse = m.diffuse;
   desc.specular = m.specular;
@@ -129,7 +139,7 @@ Material material_flatten(const MeshMaterial& m, TextureTable& textures, std::ve
   desc.refraction = m.refraction;
   desc.ior = m.ior;
   desc.model = m.specular == dvec3(0) ? MATERIAL_LAMBERT : MATERIAL_BLINN_PHONG;
-  Material out = material_flatten(desc, textures);
+  Material out = material_flatten(desc, unit, textures);
   out.texture = mesh_texture(m.texture, textures, notes);
   out.emission_texture = mesh_texture(m.emission_texture, textures, notes);
   return out;
@@ -139,14 +149,14 @@ Material material_flatten(const MeshMaterial& m, TextureTable& textures, std::ve
 
 void flatten_materials(const SceneDesc& desc, LoadedScene& loaded, LoadedShapes& shapes, FlatScene& scene) {
   TextureTable textures(loaded, scene);
-  for (const MaterialDesc& m : desc.materials) scene.materials.push_back(material_flatten(m, textures));
+  for (const MaterialDesc& m : desc.materials) scene.materials.push_back(material_flatten(m, scene.unit, textures));
   shapes.default_material = static_cast<int>(scene.materials.size());
-  scene.materials.push_back(material_flatten(MaterialDesc{}, textures));
+  scene.materials.push_back(material_flatten(MaterialDesc{}, scene.unit, textures));
   for (const LoadedMesh& mesh : shapes.meshes) {
     shapes.first_material.push_back(static_cast<int>(scene.materials.size()));
     if (mesh.shape->material >= 0) continue;
     for (const MeshMaterial& m : mesh.mesh.materials)
-      scene.materials.push_back(material_flatten(m, textures, scene.notes));
+      scene.materials.push_back(material_flatten(m, scene.unit, textures, scene.notes));
   }
 }
 

@@ -29,14 +29,30 @@ struct LoadedMedium {
 std::vector<LoadedMedium> load_media(const SceneDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes);
 void medium_bounds_add(const LoadedMedium& medium, Bounds& bounds);
 
+// The scene with an isosurface for every liquid of that model.
+SceneDesc liquids_as_shapes(const SceneDesc& desc);
+
+// An isosurface: its grid, placed as that of a medium.
+struct LoadedIsosurface {
+  LoadedMedium placed;
+  double iso;
+  std::string place;  // file and JSON pointer, for messages
+};
+LoadedIsosurface load_isosurface(const SceneDesc& desc, const ShapeDesc& shape, LoadedScene& loaded,
+                                 std::vector<std::string>& notes);
+
+// The masks of an isosurface for the stored bricks from `first` on; returns Isosurface::masks.
+int iso_masks_append(std::size_t first, std::size_t bricks, float iso, FlatScene& scene);
+
 struct LoadedMesh {
   const ShapeDesc* shape;
   Mesh mesh;
 };
 struct LoadedShapes {
   std::vector<const ShapeDesc*> analytic;
-  std::vector<LoadedMesh> meshes;   // single triangles too
-  std::vector<int> first_material;  // per mesh: where its own materials begin in FlatScene::materials
+  std::vector<LoadedIsosurface> isosurfaces;  // of those among them, in their order
+  std::vector<LoadedMesh> meshes;             // single triangles too
+  std::vector<int> first_material;            // per mesh: where its own materials begin in FlatScene::materials
   int default_material = 0;
   Bounds bounds;  // of everything finite
 };
@@ -51,7 +67,8 @@ void flatten_emitters(const SceneDesc& desc, FlatScene& scene);
 void flatten_materials(const SceneDesc& desc, LoadedScene& loaded, LoadedShapes& shapes, FlatScene& scene);
 void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene);
 // needed_again: LoadedScene's; where nobody needs them again, grids give their memory back on the way.
-void flatten_media(const std::vector<LoadedMedium>& media, bool needed_again, FlatScene& scene);
+void flatten_media(const std::vector<LoadedMedium>& media, const std::vector<LoadedIsosurface>& isosurfaces,
+                   bool needed_again, FlatScene& scene);
 
 // Largest density of the medium, whose bricks are the last of the scene: those of the voxels from first_voxel on.
 float density_max(const Medium& medium, std::size_t first_voxel, const FlatScene& scene);

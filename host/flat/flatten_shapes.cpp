@@ -23,6 +23,7 @@ void put(Shape& shape, int at, const Values&... values) {
 struct PackShape {
   const FlatScene& scene;
   Shape& out;
+  int& isosurfaces;  // how many there were before
 
   void operator()(const SphereDesc& s) const {
     out.type = SHAPE_SPHERE;
@@ -59,6 +60,10 @@ struct PackShape {
     const Affine a = affine(glm::inverse(flat_from(scene, transform_matrix(b.transform) * world_from_unit)));
     std::copy(a.m, a.m + 12, out.data);
   }
+  void operator()(const IsosurfaceDesc&) const {
+    out.type = SHAPE_ISOSURFACE;
+    out.data[0] = static_cast<float>(isosurfaces++);
+  }
   void operator()(const TriangleDesc&) const {}
   void operator()(const MeshDesc&) const {}
 };
@@ -80,6 +85,7 @@ struct AddBounds {
     for (int c = 0; c < 4; ++c) bounds.add(q.corner + double(c & 1) * q.u + double(c >> 1) * q.v);
   }
   void operator()(const BoxDesc& b) const { box(b.min, b.max, transform_matrix(b.transform)); }
+  void operator()(const IsosurfaceDesc&) const {}  // added with its grid
   void operator()(const TriangleDesc& t) const {
     for (const dvec3& p : t.vertices) bounds.add(p);
   }
@@ -148,15 +154,19 @@ LoadedShapes load_shapes(const SceneDesc& desc, LoadedScene& loaded, std::vector
       for (const dvec3& p : shapes.meshes.back().mesh.positions) shapes.bounds.add(p);
     } else {
       shapes.analytic.push_back(&shape);
+      if (!std::holds_alternative<IsosurfaceDesc>(shape.geometry)) continue;
+      shapes.isosurfaces.push_back(load_isosurface(desc, shape, loaded, notes));
+      medium_bounds_add(shapes.isosurfaces.back().placed, shapes.bounds);
     }
   }
   return shapes;
 }
 
 void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene) {
+  int isosurfaces = 0;
   for (const ShapeDesc* desc : shapes.analytic) {
     Shape shape{};
-    std::visit(PackShape{scene, shape}, desc->geometry);
+    std::visit(PackShape{scene, shape, isosurfaces}, desc->geometry);
     shape.material = desc->material >= 0 ? desc->material : shapes.default_material;
     scene.shapes.push_back(shape);
   }

@@ -16,6 +16,7 @@ bool density_is_constant(const DensityDesc& d) {
 
 // What a method must fit for this medium: FITS_x bits, any of which will do.
 int medium_fits(const MediumDesc& m) {
+  if (m.type == MEDIUM_LIQUID) return FITS_PRESENCE;
   return (m.interpolation == INTERPOLATION_NEAREST ? FITS_NEAREST : FITS_TRILINEAR) |
          (density_is_constant(m.density) ? FITS_CONSTANT : 0);
 }
@@ -28,6 +29,7 @@ std::string methods_that_fit(int fits) {
 }
 
 int method_exact(const MediumDesc& m) {
+  if (m.type == MEDIUM_LIQUID) return method_exact_of(FITS_PRESENCE);
   if (m.density.type == "constant") return method_exact_of(FITS_CONSTANT);
   return method_exact_of(m.interpolation == INTERPOLATION_NEAREST ? FITS_NEAREST : FITS_TRILINEAR);
 }
@@ -107,6 +109,7 @@ void media_check(const SceneDesc& desc, const std::vector<MediumRow>& media, std
 std::vector<MediumRow> media_rows(const SceneDesc& desc) {
   std::vector<MediumRow> rows;
   for (const MediumDesc& m : desc.media) {
+    if (is_liquid(m, LIQUID_SURFACE)) continue;
     auto body = std::make_shared<MediumDesc>(m);
     if (m.emission_density) {  // a medium of its own that only glows
       auto glow = std::make_shared<MediumDesc>(m);

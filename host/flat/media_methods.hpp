@@ -9,7 +9,8 @@
 
 namespace brume {
 
-// A medium of the flat scene: those of the scene file, and the glows among them that have a density of their own.
+// A medium of the flat scene: those of the scene file but the surfaces of liquids, which are shapes, and the glows
+// among them that have a density of their own.
 struct MediumRow {
   std::shared_ptr<const MediumDesc> desc;
   bool only_glows;

@@ -1,6 +1,8 @@
 // See loaded_scene.hpp.
 #include "load/loaded_scene.hpp"
 
+#include <iterator>
+
 #include "base/file_read.hpp"
 #include "load/scene_files.hpp"
 #include "volume/density_source.hpp"
@@ -20,6 +22,11 @@ DensitySpec density_spec(const DensityDesc& d) {
   spec.file = d.file;
   spec.grid = d.grid;
   spec.values = {d.level_set == LEVEL_SET_FILL, d.threshold, d.remap, d.factor, d.negative == NEGATIVE_CLAMP};
+  spec.radius = d.radius;
+  spec.ramp = d.ramp;
+  constexpr Presence PRESENCES[] = {Presence::REFUSE, Presence::SCALE, Presence::CLAMP};
+  static_assert(std::size(PRESENCES) == PRESENCE_COUNT, "in the order of BRUME_PRESENCE_RULES");
+  if (d.presence) spec.presence = PRESENCES[*d.presence];
   if (d.of) spec.of = std::make_shared<DensitySpec>(density_spec(*d.of));
   return spec;
 }

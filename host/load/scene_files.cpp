@@ -28,8 +28,11 @@ SceneFiles scene_files(const SceneDesc& desc) {
     list_density(medium.density, files);
     if (medium.emission_density) list_density(*medium.emission_density, files);
   }
-  for (const ShapeDesc& shape : desc.shapes)
+  for (const ShapeDesc& shape : desc.shapes) {
     if (const MeshDesc* mesh = std::get_if<MeshDesc>(&shape.geometry)) files.meshes.push_back(mesh->file);
+    if (const IsosurfaceDesc* surface = std::get_if<IsosurfaceDesc>(&shape.geometry))
+      list_density(*surface->density, files);
+  }
   for (const MaterialDesc& material : desc.materials)
     if (material.texture && !material.texture->file.empty()) files.textures.push_back(material.texture->file);
   return files;

@@ -4,6 +4,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 
 #include "flat/transform.hpp"
@@ -41,6 +42,21 @@ Bounds flat_bounds(const Bounds& world, const FlatScene& scene) {
   return flat;
 }
 
+// Whether camera rays may begin inside of a shape that refracts: those that begin at the bounds lie outside of all but
+// planes.
+bool starts_inside(const CameraDesc& camera, const FlatScene& scene) {
+  const auto refracts = [&](const Shape& shape) {
+    return scene.materials[static_cast<std::size_t>(shape.material)].refraction > 0;
+  };
+  const bool any = std::any_of(scene.materials.begin(), scene.materials.end(),
+                               [](const Material& material) { return material.refraction > 0; });
+  const bool within = !scene.bounds.empty() && glm::all(glm::greaterThanEqual(camera.eye, scene.bounds.lo)) &&
+                      glm::all(glm::lessThanEqual(camera.eye, scene.bounds.hi));
+  return any && (within || camera.type == CAMERA_ORTHOGRAPHIC ||
+                 std::any_of(scene.shapes.begin(), scene.shapes.end(),
+                             [&](const Shape& shape) { return shape.type == SHAPE_PLANE && refracts(shape); }));
+}
+
 }  // namespace
 
 void plan_camera(const SceneDesc& desc, const FlatScene& scene, Frame& frame) {
@@ -75,6 +91,11 @@ void plan_camera(const SceneDesc& desc, const FlatScene& scene, Frame& frame) {
     frame.occlusion_reach =
         static_cast<float>(desc.render.distance.value_or(std::numeric_limits<double>::infinity()) / scene.unit);
   }
+  frame.cutoff = static_cast<float>(desc.render.cutoff);
+  frame.starts_inside = starts_inside(c, scene);
+  const bool water = std::any_of(desc.media.begin(), desc.media.end(),
+                                 [](const MediumDesc& m) { return is_liquid(m, LIQUID_SURFACE); });
+  frame.clear_shadows = desc.render.shadow_of_glass.value_or(water ? GLASS_CLEAR : GLASS_OPAQUE) == GLASS_CLEAR;
   frame.seed = static_cast<uint>(desc.render.seed);
 }
 

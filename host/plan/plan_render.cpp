@@ -1,5 +1,6 @@
 // See render_plan.hpp and plan_parts.hpp.
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.hpp"
 #include "flat/media_methods.hpp"
@@ -32,12 +33,31 @@ bool is_constant(const FlatScene& flat, std::size_t medium) {
   return flat.placed[static_cast<std::size_t>(medium_placed(flat.media[medium]))].grid < 0;
 }
 
-MediumWalk walk_plan(const SceneDesc& desc, const MediumDesc& m, const FlatScene& flat, std::size_t medium) {
+// Distance between so many planes across the view through the whole of a medium.
+double slice_distance(const FlatScene& flat, std::size_t medium, const Frame& frame, int slices) {
+  const PlacedGrid& placed = flat.placed[static_cast<std::size_t>(medium_placed(flat.media[medium]))];
+  const Packed3 lo = placed.lo, hi = placed.hi, view = frame.camera.forward;
+  const float* m = placed.world_from_cell.m;
+  double extent = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double along = double(m[axis]) * view.x + double(m[4 + axis]) * view.y + double(m[8 + axis]) * view.z;
+    const float sides[3] = {hi.x - lo.x, hi.y - lo.y, hi.z - lo.z};
+    extent += std::abs(along) * sides[axis];
+  }
+  return extent / slices;
+}
+
+MediumWalk walk_plan(const SceneDesc& desc, const MediumDesc& m, const FlatScene& flat, std::size_t medium,
+                     const Frame& frame) {
   const int method = method_resolve(desc, m);
   if (takes_constant(desc, m) != is_constant(flat, medium))
     throw InputError(desc.file.string() + ": " + m.place + ": the scene was flattened for another kind of method");
-  MediumWalk walk{method, 0, 0, -1, 0, 0, 0, 0, 0};
+  MediumWalk walk{method, 0, 0, -1, 0, 0, 0, 0, 0, 0};
   walk.step = static_cast<float>(m.step.value_or(desc.render.step) * flat.sizes[medium].longest);
+  if (m.type == MEDIUM_LIQUID && m.liquid.slices) {
+    walk.step = static_cast<float>(slice_distance(flat, medium, frame, *m.liquid.slices));
+    walk.slices = 1;
+  }
   if (!is_constant(flat, medium)) walk.track_sigma = track_sigma_of(flat.media[medium], flat.sizes[medium]);
   return walk;
 }
@@ -48,7 +68,7 @@ void plan_media(const SceneDesc& desc, const FlatScene& flat, RenderPlan& plan) 
   if (rows.size() != flat.media.size())
     throw InputError(desc.file.string() + ": /media: the scene was flattened with others");
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    plan.walks.push_back(walk_plan(desc, *rows[i].desc, flat, i));
+    plan.walks.push_back(walk_plan(desc, *rows[i].desc, flat, i, plan.frame));
     if (method_has_tolerance(plan.walks.back().method))
       adaptive_plan(rows[i].desc->tolerance.value_or(desc.render.tolerance), flat, i, plan);
     plan.walks.back().light_grids = light_grids_append(desc, medium_of(flat, plan.walks.back(), i), plan);

@@ -26,7 +26,10 @@ void work_check(const SceneDesc& desc, const FlatScene& scene, const RenderPlan&
   const Frame& f = plan.frame;
   const double pixels = double(f.crop_x1 - f.crop_x0) * (f.crop_y1 - f.crop_y0), lights = double(plan.lights.size());
   const std::vector<MediumRow> rows = media_rows(desc);
-  const auto step_of = [&](std::size_t i) { return rows[i].desc->step.value_or(desc.render.step); };
+  const auto step_of = [&](std::size_t i) {
+    const std::optional<int>& slices = rows[i].desc->liquid.slices;
+    return slices ? 1.0 / *slices : rows[i].desc->step.value_or(desc.render.step);
+  };
   const auto steps_of = [&](std::size_t i) { return std::ceil(std::sqrt(3.0) / step_of(i)); };
   double lookups = 0, most = 0;
   std::size_t worst = 0;

@@ -106,7 +106,7 @@ Place box_place(const Shape& shape, const dvec3& from, const dvec2& xi) {
 }
 
 Seen shape_seen(const Shape& shape, const dvec3& from, const dvec2& xi) {
-  static_assert(SHAPE_COUNT == 5, "shape_seen knows all");
+  static_assert(SHAPE_ISOSURFACE == 5 && SHAPE_COUNT == 6, "shape_seen knows all that are lights");
   if (shape.type == SHAPE_SPHERE) return sphere_seen(shape, from, xi);
   const Place place = shape.type == SHAPE_CYLINDER ? cylinder_place(shape, from, xi)
                       : shape.type == SHAPE_BOX    ? box_place(shape, from, xi)

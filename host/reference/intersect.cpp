@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "reference/isosurface.hpp"
+
 namespace brume::reference {
 namespace {
 
@@ -99,7 +101,8 @@ double box_hit(const float* data, const RayD& ray) {
 
 using ShapeHit = double (*)(const float* data, const RayD& ray);
 constexpr ShapeHit SHAPE_HITS[] = {sphere_hit, cylinder_hit, plane_hit, quad_hit, box_hit};
-static_assert(std::size(SHAPE_HITS) == SHAPE_COUNT, "one row per ShapeType, in its order");
+static_assert(std::size(SHAPE_HITS) == SHAPE_ISOSURFACE && SHAPE_ISOSURFACE + 1 == SHAPE_COUNT,
+              "one row per closed form, in the order of ShapeType");
 
 // [MoellerTrumbore97]; edges belong to both neighbours.
 HitD triangle_hit(const Triangle& triangle, const RayD& ray) {
@@ -130,8 +133,14 @@ void triangles_hit(const PlannedScene& scene, std::size_t begin, std::size_t end
 HitD shapes_hit(const PlannedScene& scene, const RayD& ray, double t_max) {
   HitD nearest{t_max};
   for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-    const double t = SHAPE_HITS[scene.shapes[i].type](scene.shapes[i].data, ray);
-    if (t < nearest.t) nearest = {t, static_cast<int>(i)};
+    const Shape& shape = scene.shapes[i];
+    HitD hit;
+    if (shape.type == SHAPE_ISOSURFACE)
+      hit = isosurface_hit(scene, scene.isosurfaces[static_cast<std::size_t>(shape.data[0])], ray, nearest.t);
+    else
+      hit.t = SHAPE_HITS[shape.type](shape.data, ray);
+    hit.primitive = static_cast<int>(i);
+    if (hit.t < nearest.t) nearest = hit;
   }
   return nearest;
 }

@@ -11,7 +11,7 @@ namespace brume::reference {
 struct HitD {
   double t = INFINITE;
   int primitive = PRIMITIVE_NONE;  // as in shared/ray.h
-  double u = 0, v = 0;             // barycentric, triangles only
+  double u = 0, v = 0;             // as in shared/ray.h
 };
 
 // Boxes around runs of consecutive triangles, so that most of a mesh is skipped; they never change a result.

@@ -1,16 +1,20 @@
-// Segments by collecting and sorting every crossing of a cell border, and density lookups in bricks.
+// Segments by collecting and sorting every crossing of a cell border.
 #include "reference/medium.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "reference/liquid.hpp"
 #include "shared/method.h"
 
 namespace brume::reference {
 namespace {
 
-Medium medium_of(const PlannedScene& scene, int index) { return scene.medium(static_cast<std::size_t>(index)); }
+Medium medium_of(const PlannedScene& scene, int index, int method) {
+  const Medium medium = scene.medium(static_cast<std::size_t>(index));
+  return method == METHOD_FINE ? presence_fine(medium) : medium;
+}
 
 Interval box_interval(const dvec3& lo, const dvec3& hi, const RayD& ray, Interval span) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -36,12 +40,6 @@ Interval ellipsoid_interval(const dvec3& lo, const dvec3& hi, const RayD& ray, I
   return {std::max(span.t0, middle - chord), std::min(span.t1, middle + chord)};
 }
 
-// Samples of one cell's brick, or nullptr where the brick is empty.
-const float* brick_of(const PlannedScene& scene, const Medium& medium, const ivec3& cell) {
-  const int entry = brick_number(scene, medium, cell);
-  return entry == BRICK_EMPTY ? nullptr : &scene.voxels[static_cast<std::size_t>(entry) * BRICK_VALUES];
-}
-
 // The borders of cells crossed within (t0, t1), with t0 and t1 themselves, ascending.
 std::vector<double> cell_crossings(const RayD& ray, double t0, double t1) {
   std::vector<double> crossings;
@@ -63,8 +61,7 @@ std::vector<double> cell_crossings(const RayD& ray, double t0, double t1) {
   return crossings;
 }
 
-static_assert(RULE_COUNT == 6 && PLACEMENT_COUNT == 4, "dda_rule, march_visit, pieces_visit and segments_visit know");
-static_assert(INTERPOLATION_COUNT == 2, "density_in_cell knows all");
+static_assert(RULE_COUNT == 7 && PLACEMENT_COUNT == 4, "dda_rule, march_visit, pieces_visit and segments_visit know");
 
 // ∫ρ over a segment within one cell.
 double dda_rule(const PlannedScene& scene, const Medium& medium, const RayD& ray, const SegmentD& segment, int rule) {
@@ -178,7 +175,9 @@ void segments_visit(const PlannedScene& scene, const Medium& medium, const RayD&
                     int method, const RandomStream& random, bool to_light, Visit visit) {
   if (span.empty()) return;
   const RayD ray = ray_to_cells(medium, world);
-  if (method_placement(method) == PLACEMENT_STEPS || medium.is_constant)
+  if (medium.liquid >= 0)
+    for (const SegmentD& segment : presence_segments(scene, medium, world, span)) visit(segment);
+  else if (method_placement(method) == PLACEMENT_STEPS || medium.is_constant)
     march_visit(scene, medium, ray, span, method, random, visit);
   else if (method_placement(method) == PLACEMENT_PIECES)
     pieces_visit(scene, medium, ray, span, to_light, visit);
@@ -199,54 +198,10 @@ Interval medium_interval(const Medium& medium, const RayD& world, double t_min, 
                                         : box_interval(lo, hi, ray, {t_min, t_max});
 }
 
-ivec3 cell_at(const Medium& medium, const dvec3& p) {
-  const dvec3 first = glm::max(dvec3(0), glm::floor(vec_promote(medium.lo)));
-  const dvec3 cells(medium.cells_x, medium.cells_y, medium.cells_z);
-  const dvec3 last = glm::max(first, glm::min(cells, glm::ceil(vec_promote(medium.hi))) - 1.0);
-  return ivec3(glm::clamp(glm::floor(p), first, last));
-}
-
-int brick_number(const PlannedScene& scene, const Medium& medium, const ivec3& cell) {
-  const auto place = [](const ivec3& i, int nx, int ny) {
-    return (static_cast<std::size_t>(i.z) * static_cast<std::size_t>(ny) + static_cast<std::size_t>(i.y)) *
-               static_cast<std::size_t>(nx) +
-           static_cast<std::size_t>(i.x);
-  };
-  const auto blocks = [](int bricks) { return (bricks - 1) / BRICK_BLOCK + 1; };
-  const ivec3 brick = cell / BRICK_CELLS;
-  const std::size_t block = static_cast<std::size_t>(medium.brick_offset) +
-                            place(brick / BRICK_BLOCK, blocks(medium.brick_nx), blocks(medium.brick_ny));
-  return scene
-      .bricks[static_cast<std::size_t>(scene.bricks[block]) + place(brick % BRICK_BLOCK, BRICK_BLOCK, BRICK_BLOCK)];
-}
-
-double density_in_cell(const PlannedScene& scene, const Medium& medium, const ivec3& cell, const dvec3& p) {
-  if (medium.is_constant) return medium.constant_density;
-  const float* samples = brick_of(scene, medium, cell);
-  if (!samples) return 0;
-  const ivec3 i = cell % BRICK_CELLS;
-  const float* corner = samples + (i.z * BRICK_SAMPLES + i.y) * BRICK_SAMPLES + i.x;
-  if (medium.interpolation == INTERPOLATION_NEAREST) return corner[0];
-
-  const dvec3 w = p - dvec3(cell);
-  const auto along_x = [&](int dy, int dz) {
-    const float* s = corner + (dz * BRICK_SAMPLES + dy) * BRICK_SAMPLES;
-    return s[0] * (1 - w.x) + s[1] * w.x;
-  };
-  const double front = along_x(0, 0) * (1 - w.y) + along_x(1, 0) * w.y;
-  const double back = along_x(0, 1) * (1 - w.y) + along_x(1, 1) * w.y;
-  return front * (1 - w.z) + back * w.z;
-}
-
-double density_at(const PlannedScene& scene, const Medium& medium, const dvec3& p) {
-  const dvec3 inside = glm::clamp(p, vec_promote(medium.lo), vec_promote(medium.hi));
-  return density_in_cell(scene, medium, cell_at(medium, inside), inside);
-}
-
 std::vector<SegmentD> segments(const PlannedScene& scene, int medium, const RayD& ray, double t0, double t1, int method,
                                const RandomStream& random) {
   std::vector<SegmentD> found;
-  const Medium m = medium_of(scene, medium);
+  const Medium m = medium_of(scene, medium, method);
   segments_visit(scene, m, ray, medium_interval(m, ray, t0, t1), method, random, false,
                  [&](const SegmentD& s) { found.push_back(s); });
   return found;
@@ -254,7 +209,7 @@ std::vector<SegmentD> segments(const PlannedScene& scene, int medium, const RayD
 
 double optical_depth(const PlannedScene& scene, int medium, const RayD& ray, double t_max, int method, double* lookups,
                      const RandomStream& random, bool to_light) {
-  const Medium m = medium_of(scene, medium);
+  const Medium m = medium_of(scene, medium, method);
   const Interval span = medium_interval(m, ray, 0, t_max);
   if (span.empty()) return 0;
   if (m.is_constant) return m.constant_density * (span.t1 - span.t0);
@@ -290,8 +245,9 @@ int segment_lookups(const Medium& medium, int method) {
 }
 
 int method_exact(const Medium& medium) {
-  if (medium.is_constant) return method_exact_of(FITS_CONSTANT);
-  return method_exact_of(medium.interpolation == INTERPOLATION_NEAREST ? FITS_NEAREST : FITS_TRILINEAR);
+  if (medium.liquid >= 0) return METHOD_FINE;
+  const int interpolated = medium.interpolation == INTERPOLATION_NEAREST ? FITS_NEAREST : FITS_TRILINEAR;
+  return method_exact_of(medium.is_constant ? FITS_CONSTANT : interpolated);
 }
 
 }  // namespace brume::reference

@@ -6,6 +6,7 @@
 #include "plan/render_plan.hpp"
 #include "reference/random.hpp"
 #include "reference/vec.hpp"
+#include "shared/method.h"
 
 namespace brume::reference {
 
@@ -61,7 +62,8 @@ double segment_error_square(const PlannedScene& scene, const Medium& medium, con
 // Evaluations of the density that one segment of the method costs: 0 in a constant medium.
 int segment_lookups(const Medium& medium, int method);
 
-// The method whose ∫ρ dt is exact for the medium.
+// The method whose ∫ρ dt is exact for the medium; of a liquid steps of a small part of a voxel.
+inline constexpr int METHOD_FINE = METHOD_COUNT;
 int method_exact(const Medium& medium);
 
 }  // namespace brume::reference

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
+#include "reference/glass.hpp"
 #include "reference/sampling.hpp"
 #include "reference/surface.hpp"
 #include "shared/method.h"
@@ -22,8 +23,9 @@ struct Lit {
   uint lights = 0;  // bit i: light i (mod 32) reaches the surface
 };
 
-Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& view_dir, const RandomStream& random,
-                  double& lookups) {
+// `weight`: of what it scatters, in the sample.
+Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& view_dir, const dvec3& weight,
+                  const RandomStream& random, double& lookups) {
   const PlannedScene& scene = context.scene;
   const Material& material = scene.materials[static_cast<std::size_t>(surface.material)];
   Lit lit{surface.emission + vec_promote(material.ambient) * vec_promote(scene.frame.ambient)};
@@ -32,6 +34,8 @@ Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& 
     const RandomStream shadow = random.child(STREAM_LIGHT + n++);
     const dvec3 to_light = -light_at(scene, scene.lights[pick.light], surface.point, random).travel;
     if (!(glm::dot(surface.normal, to_light) > 0)) continue;
+    const dvec3 scattered = weight * surface_reflect(scene, surface, view_dir, -to_light);
+    if (material.refraction > 0 && std::max({scattered.x, scattered.y, scattered.z}) < scene.frame.cutoff) continue;
     const dvec3 origin = surface_leave(surface, to_light);
     const Arrival arrival = light_arrival(context, pick.light, surface.point, origin, random, shadow, lookups);
     if (arrival.blocked) continue;
@@ -124,6 +128,8 @@ struct PathState {
   int depth = 0;
   float heirs = INFINITY;
   dvec3 weight{1};
+  Inside inside;     // of what refracts
+  double start = 0;  // how far before its origin the ray begins
 };
 
 double mean_of(const dvec3& v) { return (v.x + v.y + v.z) / 3; }
@@ -141,14 +147,16 @@ void path_add(const Context& context, const SurfaceD& surface, const dvec3& dir,
   const dvec3 unit = glm::normalize(dir);
   path.weight *= factor;
   const double largest = std::max({path.weight.x, path.weight.y, path.weight.z});
-  if (!(path.heirs >= 1)) {
+  if (!(path.heirs >= 1) || largest < context.scene.frame.cutoff) {
     sample.dropped_rays += largest > 0;
     sample.dropped_weight += largest;
     return;
   }
   path.heirs -= 1;
   ++path.depth;
-  const PixelD further = path_render(context, {surface_leave(surface, unit), unit}, path);
+  const dvec3 origin = surface_leave(surface, unit);
+  path.start = glm::dot(origin - surface.point, unit);
+  const PixelD further = path_render(context, {origin, unit}, path);
   sample.radiance += factor * further.radiance;
   sample.error += further.error;
   sample.lookups += further.lookups;
@@ -161,8 +169,8 @@ void path_add(const Context& context, const SurfaceD& surface, const dvec3& dir,
 void specular_add(const Context& context, const SurfaceD& surface, const RayD& ray, const PathState& path,
                   PixelD& sample) {
   const Material& material = context.scene.materials[static_cast<std::size_t>(surface.material)];
-  float reflection = material.reflection;
-  const float refraction = material.refraction, both = reflection + refraction;
+  float reflection = material.reflection, refraction = material.refraction;
+  const float both = reflection + refraction;
   const double ior = material.ior;
   if (path.depth >= context.scene.frame.max_depth || !(both > 0)) return;
   const dvec3 transmittance = sample.transmittance;
@@ -170,15 +178,18 @@ void specular_add(const Context& context, const SurfaceD& surface, const RayD& r
     PathState next = path;
     next.random = path.random.child(stream);
     next.heirs = path.heirs * (share / both);
+    if (material.refraction > 0 && glm::dot(surface.geometric_normal, dir) < 0) next.inside.cross(surface);
     path_add(context, surface, dir, double(share) * transmittance, next, sample);
   };
   if (refraction > 0) {
     const double eta = surface.leaving ? ior : 1 / ior, cosine = -glm::dot(surface.normal, ray.dir);
     const double squared = 1 - eta * eta * (1 - cosine * cosine);
-    if (squared >= 0)
+    double mirrored = squared >= 0 ? 0 : 1;
+    if (material.fresnel) mirrored = fresnel(std::max(cosine, 0.0), eta);
+    reflection += refraction * static_cast<float>(mirrored);
+    refraction *= 1 - static_cast<float>(mirrored);
+    if (refraction > 0)
       add(eta * ray.dir + (eta * cosine - std::sqrt(squared)) * surface.normal, refraction, STREAM_REFRACT);
-    else
-      reflection = both;
   }
   if (reflection > 0) add(glm::reflect(ray.dir, surface.normal), reflection, STREAM_REFLECT);
 }
@@ -191,7 +202,7 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
 
   PixelD sample;
   sample.samples = 1;
-  sample.transmittance = transmittance_of(media.tau);
+  sample.transmittance = transmittance_of(media.tau) * absorbed(scene, path.inside.innermost(), path.start + hit.t);
   sample.lookups = media.lookups;
   if (hit.primitive == PRIMITIVE_NONE) {
     sample.clear = (sample.transmittance.x + sample.transmittance.y + sample.transmittance.z) / 3;
@@ -204,8 +215,10 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
     return sample;
   }
   const SurfaceD surface = surface_at(scene, ray, hit);
-  const Lit lit = scene.frame.directions > 0 ? ambient_occlusion(context, surface, random)
-                                             : surface_light(context, surface, ray.dir, random, sample.lookups);
+  const Lit lit =
+      scene.frame.directions > 0
+          ? ambient_occlusion(context, surface, random)
+          : surface_light(context, surface, ray.dir, path.weight * sample.transmittance, random, sample.lookups);
   sample.normal = surface.normal;
   sample.depth = hit.t;
   sample.hits = 1;
@@ -238,9 +251,10 @@ bool is_valid(const PixelD& sample) {
 
 }  // namespace
 
-PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& random) {
+PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& random, double start) {
   const bool whole = context.scene.frame.max_depth <= SECONDARY_DEPTH_WHOLE;
-  return path_render(context, ray, {random, 0, whole ? INFINITY : float(SECONDARY_RAYS_MAX), dvec3(1)});
+  const Inside inside = context.scene.frame.starts_inside ? inside_of(context.scene, context.bounds, ray) : Inside{};
+  return path_render(context, ray, {random, 0, whole ? INFINITY : float(SECONDARY_RAYS_MAX), dvec3(1), inside, start});
 }
 
 PixelD pixel_render(const Context& context, int x, int y, const std::function<RayD(const RayD&)>& moved) {
@@ -250,8 +264,8 @@ PixelD pixel_render(const Context& context, int x, int y, const std::function<Ra
   for (int sample = 0; sample < std::max(1, frame.camera.spp); ++sample) {
     const dvec2 position = pixel_position(pixel, static_cast<uint>(sample), frame.camera.spp, frame.seed);
     const FrameRayD camera = start_before_planes(context.scene, frame_ray(frame, x, y, position));
-    PixelD one =
-        ray_render(context, moved ? moved(camera.ray) : camera.ray, {pixel, static_cast<uint>(sample), frame.seed});
+    PixelD one = ray_render(context, moved ? moved(camera.ray) : camera.ray,
+                            {pixel, static_cast<uint>(sample), frame.seed}, camera.start);
     one.depth = (one.depth + one.hits * camera.start) * context.scene.unit;
     if (is_valid(one)) {
       pixel_add(sum, one);

@@ -17,8 +17,8 @@ struct PixelD {
   uint key = 0;
 };
 
-// One sample of one ray; `samples` is 1.
-PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& random = {});
+// One sample of one ray, which begins `start` before its origin; `samples` is 1.
+PixelD ray_render(const Context& context, const RayD& ray, const RandomStream& random = {}, double start = 0);
 
 // All samples of pixel (x, y), y = 0 at the top; depth from the camera, in world units. `moved`, if given, takes each
 // camera ray to the one that is followed.

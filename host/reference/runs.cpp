@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "reference/glass.hpp"
 #include "reference/phase.hpp"
 
 namespace brume::reference {
@@ -63,14 +64,15 @@ class LightRun {
     passed_[i] = dvec3(1);
     if (sample.distance == 0) return;
     const RayD shadow{ray_.at(points_[i].t), -sample.travel};
-    if (occluded(context_.scene, context_.bounds, shadow, sample.reach)) {
+    const dvec3 surfaces = light_passes(context_.scene, context_.bounds, shadow, sample.reach);
+    if (surfaces == dvec3(0)) {
       passed_[i] = dvec3(0);
       result_.shadow_key += static_cast<uint>(light_ + 1);
       return;
     }
     const uint stream = (i % 2 ? STREAM_LIGHT_END : STREAM_LIGHT) + static_cast<uint>(light_);
-    passed_[i] = transmittance_of(
-        media_tau(context_, shadow, sample.distance, points_[i].random.child(stream), result_.lookups));
+    passed_[i] = surfaces * transmittance_of(media_tau(context_, shadow, sample.distance,
+                                                       points_[i].random.child(stream), result_.lookups));
   }
 
   // Points strictly between two that have been asked.

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/glass.hpp"
 #include "reference/light_grid.hpp"
+#include "reference/liquid.hpp"
 #include "reference/scatter_exact.hpp"
 #include "reference/scatter_segments.hpp"
 #include "reference/tracking.hpp"
@@ -72,6 +74,8 @@ dvec3 media_tau(const Context& context, const RayD& ray, double t_max, const Ran
 
 Context::Context(const PlannedScene& flat, const Options& options)
     : scene(flat), media(media_of(flat)), bounds(flat), nodes(gauss_legendre(options.scatter_order)) {
+  for (Medium& medium : media)
+    if (exact() && medium.liquid >= 0) medium = presence_fine(medium);
   for (const Medium& medium : media)
     light_depths.push_back(medium.light_grids >= 0 && !exact() ? light_grids_make(*this, medium) : LightDepths{});
 }
@@ -82,10 +86,12 @@ Arrival light_arrival(const Context& context, std::size_t index, const dvec3& po
   Arrival arrival{light_at(context.scene, light, point, places), false, dvec3(0)};
   if (arrival.light.distance == 0) return arrival;
   const RayD shadow{ray_origin, -arrival.light.travel};
-  arrival.blocked = occluded(context.scene, context.bounds, shadow, arrival.light.reach);
+  const dvec3 passes = light_passes(context.scene, context.bounds, shadow, arrival.light.reach,
+                                    glm::dot(ray_origin - point, shadow.dir));
+  arrival.blocked = passes == dvec3(0);
   if (arrival.blocked || !arrival.light.shines()) return arrival;
   const dvec3 tau = media ? *media : media_tau(context, shadow, arrival.light.distance, random, lookups);
-  arrival.irradiance = arrival.light.irradiance * transmittance_of(tau);
+  arrival.irradiance = passes * arrival.light.irradiance * transmittance_of(tau);
   return arrival;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/glass.hpp"
+#include "reference/liquid.hpp"
 #include "reference/lit_steps.hpp"
 #include "reference/phase.hpp"
 
@@ -17,7 +19,12 @@ struct Piece {
   RayD ray;  // in the medium's cell space
   ivec3 cell;
 
-  double density(const PlannedScene& scene, double t) const { return density_in_cell(scene, *medium, cell, ray.at(t)); }
+  double density(const PlannedScene& scene, double t) const {
+    const double density = density_in_cell(scene, *medium, cell, ray.at(t));
+    const bool counts =
+        medium->liquid < 0 || density >= scene.liquids[static_cast<std::size_t>(medium->liquid)].outside;
+    return counts ? density : 0;
+  }
   // ∫ρ over [a, b]: 2-point Gauss is exact for the cubic of a trilinear cell
   double density_length(const PlannedScene& scene, double a, double b) const {
     const double middle = 0.5 * (a + b), apart = (b - a) / (2 * std::sqrt(3.0));
@@ -30,7 +37,8 @@ std::vector<bool> lit_at(const Context& context, const dvec3& point, const Rando
   std::vector<bool> lit;
   for (const Light& light : context.scene.lights) {
     const LightSample sample = light_at(context.scene, light, point, random);
-    lit.push_back(sample.shines() && !occluded(context.scene, context.bounds, {point, -sample.travel}, sample.reach));
+    lit.push_back(sample.shines() &&
+                  light_passes(context.scene, context.bounds, {point, -sample.travel}, sample.reach) != dvec3(0));
   }
   return lit;
 }
@@ -163,6 +171,9 @@ void interval_scatter(const Context& context, const RayD& ray, const std::vector
 
 Scattered media_scatter_exact(const Context& context, const RayD& ray, double t_max, const RandomStream& random) {
   Scattered result;
+  for (int i = 0; i < static_cast<int>(context.media.size()); ++i)
+    if (context.media[static_cast<std::size_t>(i)].liquid >= 0) liquid_scatter(context, i, ray, t_max, random, result);
+  result.tau = dvec3(0);  // of all media together from here on
   const std::vector<double> borders = borders_of_all(context, ray, t_max, random);
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i + 1 < borders.size(); ++i) {

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <optional>
+
+#include "reference/isosurface.hpp"
 
 namespace brume::reference {
 namespace {
@@ -66,7 +69,8 @@ Geometry box_geometry(const float* data, const dvec3& point) {
 using ShapeGeometry = Geometry (*)(const float* data, const dvec3& point);
 constexpr ShapeGeometry SHAPE_GEOMETRIES[] = {sphere_geometry, cylinder_geometry, plane_geometry, quad_geometry,
                                               box_geometry};
-static_assert(std::size(SHAPE_GEOMETRIES) == SHAPE_COUNT, "one row per ShapeType, in its order");
+static_assert(std::size(SHAPE_GEOMETRIES) == SHAPE_ISOSURFACE && SHAPE_ISOSURFACE + 1 == SHAPE_COUNT,
+              "one row per closed form, in the order of ShapeType");
 
 Geometry triangle_geometry(const Triangle& triangle, double u, double v) {
   const double w = 1 - u - v;
@@ -128,17 +132,25 @@ SurfaceD surface_at(const PlannedScene& scene, const RayD& ray, const HitD& hit)
   SurfaceD surface;
   surface.point = ray.at(hit.t);
   Geometry geometry;
+  std::optional<bool> leaves;  // where the hit itself says so
   if (hit.primitive >= FIRST_TRIANGLE) {
     const Triangle& triangle = scene.triangles[static_cast<std::size_t>(hit.primitive - FIRST_TRIANGLE)];
     geometry = triangle_geometry(triangle, hit.u, hit.v);
     surface.material = triangle.material;
   } else {
     const Shape& shape = scene.shapes[static_cast<std::size_t>(hit.primitive)];
-    geometry = SHAPE_GEOMETRIES[shape.type](shape.data, surface.point);
     surface.material = shape.material;
+    if (shape.type == SHAPE_ISOSURFACE) {
+      const Normals normals = isosurface_normals(scene, scene.isosurfaces[static_cast<std::size_t>(shape.data[0])],
+                                                 surface.point, ray.dir, hit);
+      geometry = {normals.geometric, normals.shading, dvec2(0)};
+      leaves = hit.v > 0;
+    } else {
+      geometry = SHAPE_GEOMETRIES[shape.type](shape.data, surface.point);
+    }
   }
-  const double side = glm::dot(geometry.geometric_normal, ray.dir) > 0 ? -1 : 1;
-  surface.leaving = side < 0;
+  surface.leaving = leaves.value_or(glm::dot(geometry.geometric_normal, ray.dir) > 0);
+  const double side = surface.leaving ? -1 : 1;
   surface.geometric_normal = side * geometry.geometric_normal;
   surface.normal = side * geometry.normal;
   surface.uv = geometry.uv;

@@ -9,9 +9,11 @@ namespace brume {
 
 namespace {
 
-// Whether kernels read brick_ranges: trackers for the rate of their collisions, voxels in bytes for their scale.
-bool reads_ranges(const RenderPlan& plan) {
-  return (plan.draws >> DRAWS_COLLISIONS) & 1u || plan.storage == STORAGE_U8;
+// Whether kernels read brick_ranges: trackers for the rate of their collisions, liquids and isosurfaces for what is worth
+// a look, voxels in bytes for their scale.
+bool reads_ranges(const RenderPlan& plan, const FlatScene& flat) {
+  return (plan.draws >> DRAWS_COLLISIONS) & 1u || plan.storage == STORAGE_U8 || !flat.liquids.empty() ||
+         !flat.isosurfaces.empty();
 }
 
 template <class T>
@@ -78,8 +80,14 @@ DeviceScene::Stored& DeviceScene::stored(const RenderPlan& plan) {
   if (!stored.voxels())
     stored.voxels = packs ? context_.buffer_over(name_of(SceneBuffer::voxels), stored.host->packed)
                           : context_.buffer_over(name_of(SceneBuffer::voxels), flat_.voxels);
-  if (reads_ranges(plan) && !stored.ranges())
+  if (reads_ranges(plan, flat_) && !stored.ranges())
     stored.ranges = upload(context_, name_of(SceneBuffer::ranges), packs ? stored.host->ranges : flat_.brick_ranges);
+  if (!stored.gradients()) {
+    stored.gradients =
+        context_.buffer(name_of(SceneBuffer::gradients),
+                        4 * BRICK_VALUES * flat_.gradient_bricks.size() * voxel_bytes(plan.storage), nullptr);
+    stored.has_gradients = flat_.gradient_bricks.empty();
+  }
   return stored;
 }
 
@@ -87,6 +95,7 @@ SceneBuffers DeviceScene::buffers(const RenderPlan& plan) {
   const Stored& its = stored(plan);
   SceneBuffers all = buffers_;
   at(all, SceneBuffer::voxels) = its.voxels;
+  at(all, SceneBuffer::gradients) = its.gradients;
   at(all, SceneBuffer::ranges) =
       its.ranges() ? its.ranges : upload(context_, name_of(SceneBuffer::ranges), std::vector<float>{});
   return all;

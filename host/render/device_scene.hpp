@@ -20,6 +20,8 @@ enum class SceneBuffer {
 };
 using SceneBuffers = std::array<cl::Buffer, static_cast<std::size_t>(SceneBuffer::COUNT)>;
 
+inline std::size_t voxel_bytes(int storage) { return storage == STORAGE_F32 ? 4 : (storage == STORAGE_F16 ? 2 : 1); }
+
 class DeviceScene {
  public:
   // `scene`, unchanged, and `context` outlive it: a CPU reads voxels in place.
@@ -30,11 +32,16 @@ class DeviceScene {
   // The buffers of a plan, those of the plan's own left empty. Voxels, and ranges where they are read, are uploaded
   // when a storage is first asked for.
   SceneBuffers buffers(const RenderPlan& plan);
+  // Whether gradients in a storage of which buffers() has been asked are still to be computed, by whoever has the kernel
+  // for it.
+  bool gradients_wanted(int storage) const { return !stored_.at(storage).has_gradients; }
+  void gradients_done(int storage) { stored_.at(storage).has_gradients = true; }
 
  private:
   struct Stored {
     std::shared_ptr<const StoredVoxels> host;  // what the buffers lie over; null for f32
-    cl::Buffer voxels, ranges;
+    cl::Buffer voxels, ranges, gradients;
+    bool has_gradients = false;  // or nothing that has some
   };
   Stored& stored(const RenderPlan& plan);
 
@@ -50,6 +57,7 @@ class DevicePlan {
   // tau_channels: 3 where the kernels carry a colored τ (BRUME_COLOR_TAU), else 1.
   DevicePlan(Context& context, DeviceScene& scene, const RenderPlan& plan, int tau_channels);
 
+  const cl::Buffer& gradients() const { return buffers_[static_cast<std::size_t>(SceneBuffer::gradients)]; }
   const cl::Buffer& light_tau() const { return buffers_[static_cast<std::size_t>(SceneBuffer::light_tau)]; }
 
   // Sets the scene's arguments and returns the index of the kernel's first own argument.

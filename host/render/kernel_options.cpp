@@ -47,6 +47,7 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
       {"TRACKING", (plan.draws >> DRAWS_COLLISIONS) & 1u, 1, "random collisions"},
       {"ROULETTE", plan.frame.roulette > 0, 1, "roulette"},
       {"SPHERE_REGION", (regions >> REGION_SPHERE) & 1u, 1, "media cut to spheres"},
+      {"LIQUID", !s.liquids.empty(), 1, "liquids"},
       {"LIGHT_GRID", plan.light_entries > 0, 1, "light grids"},
       {"IN_SCATTERINGS_USED", rules, all_bits(IN_SCATTERING_COUNT), "rules of in-scattering"},
       {"PHASES_USED", phases, all_bits(PHASE_COUNT), "phase functions"},
@@ -55,6 +56,8 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
       {"TEXTURED", !s.textures.empty(), 1, "textures"},
       {"SPECULAR", scene_is_specular(s), 1, "mirrors and glass"},
       {"AMBIENT_OCCLUSION", plan.frame.directions > 0, 1, "ambient occlusion"},
+      {"CLEAR_SHADOWS", plan.frame.clear_shadows && scene_is_specular(s), 1, "light through glass"},
+      {"STARTS_INSIDE", static_cast<unsigned>(plan.frame.starts_inside), 1, "a camera inside of glass"},
       {"LIGHTS_CHOSEN", plan.frame.light_picks < plan.frame.light_count, 1, "lights chosen at random"},
       {"LIGHTS_USED", lights, all_bits(LIGHT_TYPES), "lights"},
   };

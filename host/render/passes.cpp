@@ -17,6 +17,7 @@ namespace brume {
 namespace {
 
 bool always(const FlatScene&, const RenderPlan&) { return true; }
+bool has_liquids(const FlatScene& scene, const RenderPlan&) { return !scene.gradient_bricks.empty(); }
 bool has_light_grids(const FlatScene&, const RenderPlan& plan) { return !plan.light_grids.empty(); }
 bool has_surfaces(const FlatScene& scene, const RenderPlan&) {
   return !scene.shapes.empty() || !scene.triangles.empty();
@@ -31,7 +32,8 @@ struct PassRow {
   bool (*runs)(const FlatScene&, const RenderPlan&);
 };
 // In the order of Passes::Id.
-constexpr PassRow PASSES[] = {{"light_grid", true, has_light_grids},
+constexpr PassRow PASSES[] = {{"presence_gradients", true, has_liquids},
+                              {"light_grid", true, has_light_grids},
                               {"primary_rays", true, always},
                               {"traverse_dda", true, always},
                               {"shadow_transmittance", true, has_surfaces},
@@ -66,6 +68,7 @@ Passes::Passes(Context& context, std::shared_ptr<DeviceScene> device_scene, cons
     : context_(context),
       device_scene_(std::move(device_scene)),
       scene_(context, *device_scene_, plan, tau_channels),
+      storage_(plan.storage),
       has_surfaces_(has_surfaces(device_scene_->flat(), plan)),
       has_specular_(has_specular(device_scene_->flat(), plan)),
       unit_(static_cast<cl_float>(device_scene_->flat().unit)),
@@ -115,6 +118,7 @@ void Passes::create_kernels(const RenderPlan& plan, const std::string& options) 
     if (PASSES[id].takes_scene) first_argument_[id] = scene_.set_arguments(kernels_[id]);
   }
   try {
+    if (PASSES[GRADIENTS].runs(scene, plan)) enqueue(GRADIENTS, 0, cl_uint(0), scene_.gradients());
     if (!light_grids_.empty()) enqueue(LIGHT_GRID, 0, cl_int(0), cl_int(0), cl_uint(0), cl_uint(0), scene_.light_tau());
     enqueue_wave(0, 0, 0, 0);
     if (has_specular_) next_wave(0);
@@ -174,10 +178,19 @@ void Passes::fill_light_grid(LightGridWork& grid, double& done, bool& stopped,
   }
 }
 
+void Passes::fill_gradients() {
+  if (!device_scene_->gradients_wanted(storage_)) return;
+  const std::size_t items = device_scene_->flat().gradient_bricks.size() * GRADIENT_ITEMS;
+  enqueue(GRADIENTS, items, static_cast<cl_uint>(items), scene_.gradients());
+  finish();
+  device_scene_->gradients_done(storage_);
+}
+
 void Passes::fill_light_grids(const std::function<bool(double)>& go_on) {
   bool stopped = false;
   double done = 0;
   try {
+    fill_gradients();
     for (LightGridWork& grid : light_grids_) fill_light_grid(grid, done, stopped, go_on);
   } catch (const cl::Error& error) {
     failed(error);

@@ -28,7 +28,7 @@ class Passes {
   double upload_seconds() const { return upload_seconds_; }
   double scene_upload_seconds() const { return device_scene_->upload_seconds(); }
 
-  // Fills the light grids, if there are any, piece by piece while go_on(items done) holds: what an earlier call has
+  // Computes the gradients of liquids, if nobody has, and fills the light grids, if there are any, piece by piece while go_on(items done) holds: what an earlier call has
   // left.
   void fill_light_grids(const std::function<bool(double)>& go_on);
   double light_grid_items() const;  // that are left
@@ -46,6 +46,7 @@ class Passes {
   };
   // In the order in which they run; shared by the table of names and items in passes.cpp.
   enum Id {
+    GRADIENTS,
     LIGHT_GRID,
     PRIMARY_RAYS,
     TRAVERSE_DDA,
@@ -64,6 +65,7 @@ class Passes {
   bool enqueue_waves(cl_uint entries, cl_uint samples);
   cl_uint next_wave(cl_uint samples);  // rays of the next wave; 0: none, above wave_rays_: more than there is room for
   void finish();                       // waits for what is enqueued and adds its times to the statistics
+  void fill_gradients();
   void fill_light_grid(LightGridWork& grid, double& done, bool& stopped, const std::function<bool(double)>& go_on);
   [[noreturn]] void failed(const cl::Error& error) const;
 
@@ -77,6 +79,7 @@ class Passes {
   Stopwatch watch_;  // laps over construction
   std::shared_ptr<DeviceScene> device_scene_;
   DevicePlan scene_;
+  int storage_;
   double upload_seconds_ = 0, build_seconds_ = 0;
   bool has_surfaces_, has_specular_;
   cl_float unit_;  // FlatScene::unit

@@ -36,8 +36,6 @@ std::shared_ptr<DeviceScene> device_scene_make(Context& context, const FlatScene
   return std::make_shared<DeviceScene>(context, scene);
 }
 
-std::size_t voxel_bytes(int storage) { return storage == STORAGE_F32 ? 4 : (storage == STORAGE_F16 ? 2 : 1); }
-
 }  // namespace
 
 int lanes_choose(const DeviceInfo& device, int wanted) { return wanted > 0 ? wanted : device.lanes(); }

@@ -52,6 +52,15 @@ FAMILY(shadow_family, BRUME_SHADOWS)
 #define ROW(id, name, help) {METRIC_##id, name, help},
 FAMILY(error_metric_family, BRUME_ERROR_METRICS)
 #undef ROW
+#define ROW(id, name, help) {MEDIUM_##id, name, help},
+FAMILY(medium_family, BRUME_MEDIUM_TYPES)
+#undef ROW
+#define ROW(id, name, help) {LIQUID_##id, name, help},
+FAMILY(liquid_model_family, BRUME_LIQUID_MODELS)
+#undef ROW
+#define ROW(id, name, help) {PRESENCE_##id, name, help},
+FAMILY(presence_family, BRUME_PRESENCE_RULES)
+#undef ROW
 #define ROW(id, name, help) {TRANSFER_##id, name, help},
 FAMILY(transfer_family, BRUME_TRANSFERS)
 #undef ROW
@@ -96,6 +105,12 @@ const Family& level_set_family() {
 const Family& negative_family() {
   static const Family rows{{NEGATIVE_REFUSE, "refuse", "no negative densities"},
                            {NEGATIVE_CLAMP, "clamp", "those that are rounding become 0"}};
+  return rows;
+}
+
+const Family& glass_shadow_family() {
+  static const Family rows{{GLASS_OPAQUE, "opaque", "shapes that refract block light"},
+                           {GLASS_CLEAR, "clear", "light passes them straight on, weakened"}};
   return rows;
 }
 

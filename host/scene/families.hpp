@@ -18,6 +18,9 @@ bool phase_takes_g(int phase);
 const Family& interpolation_family();
 const Family& in_scattering_family();
 const Family& error_metric_family();
+const Family& medium_family();
+const Family& liquid_model_family();
+const Family& presence_family();
 const Family& shadow_family();  // without "auto"
 const Family& storage_family();
 const Family& transfer_family();
@@ -26,5 +29,6 @@ const Family& shape_family();   // analytic shapes, triangle and mesh
 const Family& mesh_shading_family();
 const Family& level_set_family();
 const Family& negative_family();
+const Family& glass_shadow_family();
 
 }  // namespace brume

@@ -44,6 +44,8 @@ MaterialDesc read_material(const std::string& name, const JsonValue& m, const st
   out.ior = m.number("ior", out.ior, Range::positive());
   out.reflection = m.number("reflection", out.reflection, Range::closed(0, 1));
   out.refraction = m.number("refraction", out.refraction, Range::closed(0, 1));
+  out.fresnel = m.flag("fresnel", out.fresnel);
+  out.absorption = m.color("absorption", out.absorption, Range::at_least_0());
   if (m.has("texture")) out.texture = read_texture(m.get("texture"), folder);
   m.refuse_unread();
   return out;

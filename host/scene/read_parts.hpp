@@ -8,9 +8,15 @@ namespace brume {
 std::vector<MaterialDesc> read_materials(const JsonValue& scene, const std::filesystem::path& folder);
 std::vector<ShapeDesc> read_shapes(const JsonValue& scene, const std::vector<MaterialDesc>& materials,
                                    const std::filesystem::path& folder);
-std::vector<MediumDesc> read_media(const JsonValue& scene, const std::filesystem::path& folder);
+std::vector<MediumDesc> read_media(const JsonValue& scene, const std::vector<MaterialDesc>& materials,
+                                   const std::filesystem::path& folder);
+// The key "material" of `owner`: an index into `materials`, -1 where there is none.
+int read_material_name(const JsonValue& owner, const std::vector<MaterialDesc>& materials);
 std::vector<LightDesc> read_lights(const JsonValue& scene);
 TransformDesc read_transform(const JsonValue& owner);
+// Where a density comes from and the box in which it stands.
+DensityDesc read_density(const JsonValue& density, const std::filesystem::path& folder);
+std::array<dvec3, 2> read_bounds(const JsonValue& bounds);
 // The keys "method", "step" and "tolerance" of `owner`, of the whole picture or of one medium.
 int read_method(const JsonValue& owner, int fallback);
 double read_step(const JsonValue& owner, double fallback);

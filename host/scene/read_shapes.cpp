@@ -56,6 +56,15 @@ Geometry read_box(const JsonValue& s, const Folder&) {
   return out;
 }
 
+Geometry read_isosurface(const JsonValue& s, const Folder& folder) {
+  IsosurfaceDesc out;
+  out.density = std::make_shared<DensityDesc>(read_density(s.get("density"), folder));
+  out.iso = s.number("iso", out.iso, Range::positive());
+  if (s.has("bounds")) out.bounds = read_bounds(s.get("bounds"));
+  out.transform = read_transform(s);
+  return out;
+}
+
 Geometry read_triangle(const JsonValue& s, const Folder&) {
   TriangleDesc out;
   const std::vector<JsonValue> vertices = s.get("vertices").as_list();
@@ -78,21 +87,10 @@ Geometry read_mesh(const JsonValue& s, const Folder& folder) {
 }
 
 // In the order of shape_family().
-constexpr Geometry (*READERS[])(const JsonValue&, const Folder&) = {read_sphere, read_cylinder, read_plane, read_quad,
-                                                                    read_box,    read_triangle, read_mesh};
+constexpr Geometry (*READERS[])(const JsonValue&, const Folder&) = {
+    read_sphere, read_cylinder, read_plane, read_quad, read_box, read_isosurface, read_triangle, read_mesh};
 static_assert(std::size(READERS) == SHAPE_COUNT + 2 && std::variant_size_v<Geometry> == std::size(READERS),
               "one reader and one struct per row of BRUME_SHAPES, then triangle and mesh");
-
-int read_material_name(const JsonValue& shape, const std::vector<MaterialDesc>& materials) {
-  if (!shape.has("material")) return -1;
-  const std::string name = shape.get("material").as_string();
-  std::string known;
-  for (std::size_t i = 0; i < materials.size(); ++i) {
-    if (materials[i].name == name) return static_cast<int>(i);
-    known += (known.empty() ? "" : ", ") + materials[i].name;
-  }
-  shape.get("material").fail("unknown material " + text_quote(name) + "; known: " + (known.empty() ? "none" : known));
-}
 
 Scale read_scale(const JsonValue& value) {
   const Scale s{value.as_color(Range::any())};
@@ -122,6 +120,17 @@ std::variant<Scale, Rotate, Translate> read_step(const JsonValue& step) {
 }
 
 }  // namespace
+
+int read_material_name(const JsonValue& owner, const std::vector<MaterialDesc>& materials) {
+  if (!owner.has("material")) return -1;
+  const std::string name = owner.get("material").as_string();
+  std::string known;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    if (materials[i].name == name) return static_cast<int>(i);
+    known += (known.empty() ? "" : ", ") + materials[i].name;
+  }
+  owner.get("material").fail("unknown material " + text_quote(name) + "; known: " + (known.empty() ? "none" : known));
+}
 
 TransformDesc read_transform(const JsonValue& owner) {
   TransformDesc steps;

@@ -63,6 +63,8 @@ struct MaterialDesc {
   dvec3 ambient{0}, diffuse{0.5}, specular{0}, emission{0};
   double shininess = 50, reflection = 0, refraction = 0, ior = 1.5;
   bool is_light = true;  // where it emits: a light to all else
+  bool fresnel = false;  // shares the weights of both rays out between them
+  dvec3 absorption{0};   // per world unit, inside a shape that refracts
   std::optional<TextureDesc> texture;
 };
 
@@ -110,8 +112,16 @@ struct MeshDesc {
   TransformDesc transform;
 };
 
+struct DensityDesc;
+struct IsosurfaceDesc {
+  std::shared_ptr<DensityDesc> density;  // never null once it is read
+  double iso = 0.5;
+  std::optional<std::array<dvec3, 2>> bounds;  // as of a medium
+  TransformDesc transform;
+};
+
 struct ShapeDesc {
-  std::variant<SphereDesc, CylinderDesc, PlaneDesc, QuadDesc, BoxDesc, TriangleDesc, MeshDesc> geometry;
+  std::variant<SphereDesc, CylinderDesc, PlaneDesc, QuadDesc, BoxDesc, IsosurfaceDesc, TriangleDesc, MeshDesc> geometry;
   int material = -1;
   std::string place;  // JSON pointer, for messages of later stages
 };
@@ -119,14 +129,28 @@ struct ShapeDesc {
 enum LevelSetRule { LEVEL_SET_REFUSE, LEVEL_SET_FILL };
 enum NegativeRule { NEGATIVE_REFUSE, NEGATIVE_CLAMP };
 
+// What the values of a liquid's grid may be: its presence, in [0, 1]. ROW(ID, name, help)
+#define BRUME_PRESENCE_RULES(ROW)                                              \
+  ROW(REFUSE, "refuse", "values beyond 1 are refused, with the largest found") \
+  ROW(SCALE, "scale", "all are divided by the largest where that is beyond 1") \
+  ROW(CLAMP, "clamp", "values beyond 1 become 1")
+enum PresenceRule {
+#define ROW(id, name, help) PRESENCE_##id,
+  BRUME_PRESENCE_RULES(ROW)
+#undef ROW
+      PRESENCE_COUNT
+};
+
 // Where densities come from. The tables of generators and formats are in host/volume.
 struct DensityDesc {
-  std::string type = "constant";  // constant, linear, exponential, perlin, sphere, file
+  std::string type = "constant";  // constant, linear, exponential, perlin, sphere, ball, file
   ivec3 resolution{64};
   double value = 1;  // constant
   double scale = 4;  // perlin: lattice cells along the longest side
   int octaves = 4;
   int seed = 1;
+  double radius = 0.75;              // ball: share of half the bounds
+  double ramp = 2;                   // ball: voxels over which it rises from 0 to 1
   std::filesystem::path file;        // file; already resolved
   std::string grid;                  // file: name of the grid, empty = the one that is meant if there is no choice
   int level_set = LEVEL_SET_REFUSE;  // file, and all down to `of`: how values become densities, in this order
@@ -135,9 +159,48 @@ struct DensityDesc {
   double factor = 1;                 // `scale`
   int negative = NEGATIVE_CLAMP;
   std::shared_ptr<DensityDesc> of;  // sphere: what is cut
+  std::optional<int> presence;      // of a liquid: the rule for values beyond 1
+};
+
+// What a medium is. ROW(ID, name, help)
+#define BRUME_MEDIUM_TYPES(ROW)                                      \
+  ROW(PARTICIPATING, "participating", "absorbs, scatters and glows") \
+  ROW(LIQUID, "liquid", "its density is the presence of a liquid, in [0, 1]")
+// How a liquid is shown. ROW(ID, name, help)
+#define BRUME_LIQUID_MODELS(ROW)                                                                   \
+  ROW(LOCAL_LIGHTING, "local_lighting", "lit where its presence changes, absorbing inside: quick") \
+  ROW(SURFACE, "surface", "a surface of one presence that reflects and refracts")
+enum MediumType {
+#define ROW(id, name, help) MEDIUM_##id,
+  BRUME_MEDIUM_TYPES(ROW)
+#undef ROW
+      MEDIUM_TYPE_COUNT
+};
+enum LiquidModel {
+#define ROW(id, name, help) LIQUID_##id,
+  BRUME_LIQUID_MODELS(ROW)
+#undef ROW
+      LIQUID_MODEL_COUNT
+};
+
+struct LiquidDesc {
+  int model = LIQUID_LOCAL_LIGHTING;
+  // surface
+  double iso = 0.5;   // presence at the surface, in (0, 1)
+  int material = -1;  // an index into SceneDesc::materials; -1: none is named
+  // local_lighting
+  double outside = 0.5,
+         inside = 0.6;           // presence below and above which no light is scattered, 0 <= outside < inside <= 1
+  double light_intensity = 0.8;  // times the diffuse light
+  dvec3 albedo{1}, specular{0}, ambient{0};
+  double shininess = 50;
+  bool grazing_correction = true;
+  std::optional<int> slices;  // steps between planes across the view, instead of `step`
 };
 
 struct MediumDesc {
+  int type = MEDIUM_PARTICIPATING;
+  LiquidDesc liquid;                           // of a liquid; its rule for values beyond 1 is in the density
   std::optional<std::array<dvec3, 2>> bounds;  // file: the file's own transform when absent; generators: [-1,1]³
   TransformDesc transform;
   int interpolation = INTERPOLATION_TRILINEAR;
@@ -152,10 +215,17 @@ struct MediumDesc {
   std::string place;                // JSON pointer, for messages of later stages
 };
 
+inline bool is_liquid(const MediumDesc& m, LiquidModel model) {
+  return m.type == MEDIUM_LIQUID && m.liquid.model == model;
+}
+
 inline constexpr int METHOD_AUTO = -1;
 inline constexpr int IN_SCATTERING_AUTO = -1;
 inline constexpr int SHADOW_AUTO = -1;
 inline constexpr int LIGHT_PICKS_AUTO = -1;
+
+// What shapes that refract do to the light of lights.
+enum GlassShadow { GLASS_OPAQUE, GLASS_CLEAR };
 
 // How far off a picture is, in one number. ROW(ID, name, help)
 #define BRUME_ERROR_METRICS(ROW)                                                            \
@@ -186,6 +256,8 @@ struct RenderDesc {
   int light_points = LIGHT_POINTS_STRATIFIED;
   double roulette = 0;  // transmittance below which view rays end at random; 0: never
   int max_depth = 5;
+  double cutoff = 1e-4;                // reflected and refracted rays that weigh less are dropped
+  std::optional<int> shadow_of_glass;  // opaque, but clear where a liquid is a surface
   int seed = 0;
   std::optional<double> max_error;    // settings of the media are chosen that reach it soonest, in error_metric,
   std::optional<double> time_budget;  // or that come closest in so many seconds; never both

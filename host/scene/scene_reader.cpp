@@ -79,6 +79,9 @@ RenderDesc read_render(const JsonValue& scene) {
   r.light_points = render.member("light_points", r.light_points, light_points_family(), "choice of points");
   r.roulette = render.number("roulette", r.roulette, Range::closed(0, 1));
   r.max_depth = render.integer("max_depth", r.max_depth, 0, 64);
+  r.cutoff = render.number("cutoff", r.cutoff, Range::closed(0, 1));
+  if (render.has("shadow_of_glass"))
+    r.shadow_of_glass = render.get("shadow_of_glass").as_member(glass_shadow_family(), "shadow of glass");
   r.seed = render.integer("seed", r.seed, 0, 0x7fffffff);
   const auto goal = [&](const char* key, std::optional<double>& value) {
     if (render.has(key) && !render.get(key).json().is_null()) value = render.get(key).as_number(Range::positive());
@@ -172,7 +175,7 @@ SceneDesc scene_read_text(std::string_view text, const std::filesystem::path& as
   desc.lights = read_lights(scene);
   desc.materials = read_materials(scene, folder);
   desc.shapes = read_shapes(scene, desc.materials, folder);
-  desc.media = read_media(scene, folder);
+  desc.media = read_media(scene, desc.materials, folder);
   desc.render = read_render(scene);
   scene.refuse_unread();
   if (desc.render.integrator == INTEGRATOR_AMBIENT_OCCLUSION) {  // it knows neither

@@ -78,6 +78,8 @@ Json material_json(const MaterialDesc& m, const Folder& folder) {
             {"reflection", number(m.reflection)},
             {"refraction", number(m.refraction)},
             {"ior", number(m.ior)},
+            {"fresnel", m.fresnel},
+            {"absorption", vec(m.absorption)},
             {"emission", vec(m.emission)}};
   if (!m.is_light) json["light"] = false;
   if (!m.texture) return json;
@@ -93,6 +95,8 @@ Json material_json(const MaterialDesc& m, const Folder& folder) {
                        {"scale", number(m.texture->scale)}};
   return json;
 }
+
+Json density_json(const DensityDesc& d, const Folder& folder);
 
 struct GeometryJson {
   const Folder& folder;
@@ -110,6 +114,14 @@ struct GeometryJson {
   }
   Json operator()(const BoxDesc& b) const {
     return {{"type", "box"}, {"min", vec(b.min)}, {"max", vec(b.max)}, {"transform", transform_json(b.transform)}};
+  }
+  Json operator()(const IsosurfaceDesc& s) const {
+    Json json{{"type", "isosurface"},
+              {"density", density_json(*s.density, folder)},
+              {"iso", number(s.iso)},
+              {"transform", transform_json(s.transform)}};
+    if (s.bounds) json["bounds"] = {vec((*s.bounds)[0]), vec((*s.bounds)[1])};
+    return json;
   }
   Json operator()(const TriangleDesc& t) const {
     return {{"type", "triangle"}, {"vertices", {vec(t.vertices[0]), vec(t.vertices[1]), vec(t.vertices[2])}}};
@@ -146,6 +158,10 @@ Json density_json(const DensityDesc& d, const Folder& folder) {
     json["octaves"] = d.octaves;
     json["seed"] = d.seed;
   }
+  if (d.type == "ball") {
+    json["radius"] = number(d.radius);
+    json["ramp"] = number(d.ramp);
+  }
   return json;
 }
 
@@ -164,6 +180,7 @@ Json render_json(const RenderDesc& r) {
             {"storage", family_name(storage_family(), r.storage)},
             {"roulette", r.roulette},
             {"max_depth", r.max_depth},
+            {"cutoff", number(r.cutoff)},
             {"seed", r.seed}};
   if (r.integrator == INTEGRATOR_AMBIENT_OCCLUSION) {
     json["integrator"] = family_name(integrator_family(), r.integrator);
@@ -172,24 +189,52 @@ Json render_json(const RenderDesc& r) {
     json["rotate"] = r.rotate;
   }
   if (r.light_picks != LIGHT_PICKS_AUTO) json["light_picks"] = r.light_picks;
+  if (r.shadow_of_glass) json["shadow_of_glass"] = family_name(glass_shadow_family(), *r.shadow_of_glass);
   if (r.max_error) json["max_error"] = number(*r.max_error);
   if (r.time_budget) json["time_budget"] = number(*r.time_budget);
   if (r.has_goal()) json["error_metric"] = family_name(error_metric_family(), r.error_metric);
   return json;
 }
 
-Json medium_json(const MediumDesc& m, const Folder& folder) {
-  Json json;
+static_assert(MEDIUM_TYPE_COUNT == 2 && LIQUID_MODEL_COUNT == 2, "medium_json and liquid_json know the keys of all");
+
+// What a liquid has beside where it stands and what it absorbs.
+void liquid_json(const MediumDesc& m, const std::vector<MaterialDesc>& materials, Json& json) {
+  const LiquidDesc& l = m.liquid;
+  json["model"] = family_name(liquid_model_family(), l.model);
+  json["presence"] = family_name(presence_family(), m.density.presence.value_or(PRESENCE_REFUSE));
+  if (l.model == LIQUID_SURFACE) {
+    json["iso"] = number(l.iso);
+    if (l.material >= 0) json["material"] = materials[static_cast<std::size_t>(l.material)].name;
+    return;
+  }
+  json["outside"] = number(l.outside);
+  json["inside"] = number(l.inside);
+  json["light_intensity"] = number(l.light_intensity);
+  json["albedo"] = vec(l.albedo);
+  json["specular"] = vec(l.specular);
+  json["shininess"] = number(l.shininess);
+  json["ambient"] = vec(l.ambient);
+  json["grazing_correction"] = l.grazing_correction;
+  if (l.slices) json["slices"] = *l.slices;
+}
+
+Json medium_json(const MediumDesc& m, const std::vector<MaterialDesc>& materials, const Folder& folder) {
+  Json json{{"type", family_name(medium_family(), m.type)}};
   if (m.bounds) json["bounds"] = {vec((*m.bounds)[0]), vec((*m.bounds)[1])};
   if (!m.transform.empty()) json["transform"] = transform_json(m.transform);
   json["interpolation"] = family_name(interpolation_family(), m.interpolation);
   json["density"] = density_json(m.density, folder);
   if (m.emission_density) json["emission_density"] = density_json(*m.emission_density, folder);
   json["sigma_a"] = vec(m.sigma_a);
-  json["sigma_s"] = vec(m.sigma_s);
-  json["emission"] = vec(m.emission);
-  json["phase"] = {{"type", family_name(phase_family(), m.phase)}};
-  if (phase_takes_g(m.phase)) json["phase"]["g"] = number(m.g);
+  if (m.type == MEDIUM_LIQUID) {
+    liquid_json(m, materials, json);
+  } else {
+    json["sigma_s"] = vec(m.sigma_s);
+    json["emission"] = vec(m.emission);
+    json["phase"] = {{"type", family_name(phase_family(), m.phase)}};
+    if (phase_takes_g(m.phase)) json["phase"]["g"] = number(m.g);
+  }
   if (m.method) json["method"] = auto_or_name(method_family(), *m.method);
   if (m.step) json["step"] = number(*m.step);
   if (m.tolerance) json["tolerance"] = number(*m.tolerance);
@@ -216,7 +261,7 @@ Json scene_json(const SceneDesc& desc, const Folder& folder) {
     json["shapes"].push_back(shape);
   }
   json["media"] = Json::array();
-  for (const MediumDesc& m : desc.media) json["media"].push_back(medium_json(m, folder));
+  for (const MediumDesc& m : desc.media) json["media"].push_back(medium_json(m, desc.materials, folder));
   json["render"] = render_json(desc.render);
   return json;
 }

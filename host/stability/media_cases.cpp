@@ -15,7 +15,7 @@ namespace brume {
 
 namespace {
 
-bool has_grid(int method) { return method != METHOD_HOMOGENEOUS; }
+bool has_grid(int method) { return method != METHOD_HOMOGENEOUS && for_densities(method); }
 bool has_step(int method) { return method_has_step(method); }
 
 StabilityRays some_rays(int count, double half = 0.8) {
@@ -163,7 +163,12 @@ Film world_film(const StabilityRun& run, const World& world) {
   desc.render.method = run.method();
   MediumDesc& m = desc.media[0];
   if (run.method() != METHOD_HOMOGENEOUS) m.density.type = "linear";
-  if (!(method_fits(run.method()) & (FITS_TRILINEAR | FITS_CONSTANT))) m.interpolation = INTERPOLATION_NEAREST;
+  if (method_fits(run.method()) == FITS_NEAREST) m.interpolation = INTERPOLATION_NEAREST;
+  if (is_for_liquids(run.method())) {
+    m.type = MEDIUM_LIQUID;
+    m.sigma_s = dvec3(0);
+    m.density.presence = PRESENCE_REFUSE;
+  }
   const auto place = [&](const dvec3& p) { return world.scale * p + world.shift; };
   if (world.distance > 0) {
     desc.camera.type = CAMERA_ORTHOGRAPHIC;
@@ -251,14 +256,14 @@ const std::vector<StabilityEntry> STABILITY_MEDIA = {
     {"thin_box", "a box 1e-6 thick; one of zero thickness is refused", thin_box, all_methods},
     {"step_huge", "a step ten times the box", step_huge, has_step},
     {"step_tiny", "a step of 1e-5 of the box, the shortest", step_tiny, has_step},
-    {"depth_segment", "tau from 1e-6 to 1e6, segment rule: never more than the source", depth_segment, all_methods},
-    {"depth_rectangle", "tau from 1e-6 to 1e6, rectangle rule: over- and undershoots", depth_rectangle, all_methods},
-    {"phase_limits", "g up to +-0.999999", phase_limits, all_methods},
+    {"depth_segment", "tau from 1e-6 to 1e6, segment rule: never more than the source", depth_segment, for_densities},
+    {"depth_rectangle", "tau from 1e-6 to 1e6, rectangle rule: over- and undershoots", depth_rectangle, for_densities},
+    {"phase_limits", "g up to +-0.999999", phase_limits, for_densities},
     {"hot_voxel", "one voxel of 1e4 among voxels of about 1", hot_voxel, has_grid},
     {"huge_grid", "2^31 cells, one brick stored", huge_grid, has_grid},
     {"scaled", "the world scaled by 1e-25 to 1e25: the same picture", scaled, all_methods},
     {"dense_units", "densities of 1e-37 to 1e37 with coefficients by as much smaller: the same picture", dense_units,
-     all_methods},
+     for_densities},
     {"far_camera", "an orthographic camera up to 1e12 away: the same picture", far_camera, all_methods},
     {"shifted", "the world shifted by 1e5: the same picture", shifted, all_methods},
     {"refined", "voxel size halved, the same field", refined, has_grid},

@@ -50,7 +50,7 @@ bool StabilityRun::exact() const { return !tracks() && !steps() && method_exact_
 
 PlannedScene StabilityRun::cube(const std::string& density, const std::string& medium,
                                 const std::string& render) const {
-  const std::string interpolation = method_fits(method_) & FITS_TRILINEAR ? "trilinear" : "nearest";
+  const std::string interpolation = method_fits(method_) == FITS_NEAREST ? "nearest" : "trilinear";
   // what fits constant densities takes none as voxels
   const std::string even =
       method_fits(method_) & FITS_CONSTANT && method_ != METHOD_HOMOGENEOUS ? "linear" : "constant";
@@ -59,8 +59,9 @@ PlannedScene StabilityRun::cube(const std::string& density, const std::string& m
       "lights": [{"type": "directional", "direction": [-0.3, -0.4, -1], "irradiance": [3, 2, 1]}],
       "media": [{"interpolation": ")" +
       interpolation + R"(", "density": )" +
-      (density.empty() ? R"({"type": ")" + even + R"(", "resolution": [8, 8, 8]})" : density) +
-      R"(, "sigma_a": 0.3, "sigma_s": 0.9)" + (medium.empty() ? "" : ", " + medium) + R"(}],
+      (density.empty() ? R"({"type": ")" + even + R"(", "resolution": [8, 8, 8]})" : density) + R"(, "sigma_a": 0.3)" +
+      (is_for_liquids(method_) ? R"(, "type": "liquid")" : R"(, "sigma_s": 0.9)") +
+      (medium.empty() ? "" : ", " + medium) + R"(}],
       "render": {"method": ")" +
       std::string(family_name(method_family(), method_)) + "\"" + (render.empty() ? "" : ", " + render) + "}}";
   return flatten(scene_read_text(text, "stability.json", {}), {std::max(lanes_, 4), {}});

@@ -56,6 +56,8 @@ class StabilityRun {
 std::string number(double value);  // three digits
 
 inline bool all_methods(int) { return true; }
+inline bool is_for_liquids(int method) { return method_fits(method) == FITS_PRESENCE; }
+inline bool for_densities(int method) { return !is_for_liquids(method); }
 
 struct StabilityEntry {
   const char* name;

@@ -39,7 +39,8 @@ static inline DdaAxis axis_begin(float origin, float dir, float s, float length,
   a.ahead = a.step > 0.0f ? 1.0f : 0.0f;
   a.cell = 0.0f;
   a.cell_exit = 0.0f;
-  a.brick = fmin(fmax(floor(mad_exact(s, dir, origin) * (1.0f / BRICK_CELLS)), 0.0f), (float)(bricks - 1));
+  const float brick = floor(mad_exact(s, dir, origin) * (1.0f / BRICK_CELLS));
+  a.brick = fmin_ordered(fmax_ordered(brick, 0.0f), (float)(bricks - 1));
   a.brick_exit = axis_crossing(&a, (a.brick + a.ahead) * BRICK_CELLS);
   return a;
 }
@@ -108,6 +109,12 @@ static inline int dda_brick_entry(const Scene* scene, const Medium* medium, cons
   return brick_entry(scene, medium, (int)d->x.brick, (int)d->y.brick, (int)d->z.brick);
 }
 
+// Along one axis the bricks in which W places s of a ray lie.
+static inline intW lanes_brick(floatW s, float origin, float dir, int bricks) {
+  const floatW p = mad_exact(s, (floatW)(dir), (floatW)(origin));
+  return lanes_whole(p * (1.0f / BRICK_CELLS), (floatW)((float)(bricks - 1)));
+}
+
 // What segment i of a walk takes from the brick in which the walk stands.
 static inline void dda_brick_store(const Dda* d, int i, Segments* out) {
   out->base[i] = d->base;
@@ -123,7 +130,7 @@ static inline int dda_next_brick(const Scene* scene, const Medium* medium, Dda* 
   int inside = !d->begun || dda_step_brick(medium, d);
   d->begun = 1;
   for (; inside && d->s < d->end; inside = dda_step_brick(medium, d)) {
-    const float exit = fmin(dda_brick_exit(d), d->end);
+    const float leaves = dda_brick_exit(d), exit = fmin_ordered(leaves, d->end);
     const int entry = dda_brick_entry(scene, medium, d);
     if (entry != BRICK_EMPTY && exit > d->s) {
       d->brick_end = exit;
@@ -136,7 +143,7 @@ static inline int dda_next_brick(const Scene* scene, const Medium* medium, Dda* 
 #endif
       return 1;
     }
-    d->s = fmax(d->s, exit);
+    d->s = fmax_ordered(d->s, exit);
   }
   d->s = d->end;
   d->brick_end = d->end;

@@ -40,7 +40,8 @@ static inline MediumRay medium_ray(const Medium* medium, float3 origin, float3 d
 #endif
   r.t_begin = t0;
   r.length = inside ? t1 - t0 : 0.0f;
-  r.origin = fmin(fmax(vec_point(o, r.dir, t0), lo), hi);  // the entry, never outside by rounding
+  const float3 entry = vec_point(o, r.dir, t0);
+  r.origin = fmin_ordered(fmax_ordered(entry, lo), hi);  // the entry, never outside by rounding
   return r;
 }
 
@@ -59,6 +60,9 @@ typedef struct {
 #endif
 #if BRUME_RANDOM
   uint id[W];  // number of the segment along the ray: names its random numbers
+#endif
+#if BRUME_LIQUID
+  float integral[W];  // ∫ρ over the segment, where the walk has found it already
 #endif
 #if BRUME_TRACKING
   float low[W];      // lower bound of the density in the brick
@@ -86,6 +90,9 @@ static inline void segments_pad(Segments* out) {
 #endif
 #if BRUME_RANDOM
     out->id[i] = 0;
+#endif
+#if BRUME_LIQUID
+    out->integral[i] = 0.0f;
 #endif
 #if BRUME_TRACKING
     out->low[i] = 0.0f;

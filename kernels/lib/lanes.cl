@@ -34,6 +34,7 @@ typedef int intW;
 #define lanes_gather_int(p, offset) ((p)[offset])
 #define lanes_first(v) (v)
 #define lanes_last(v) (v)
+#define lanes_shift(first, v) (first)  // v moved on by one lane, behind `first`
 #else
 #define LANES_GLUE_(a, b) a##b
 #define LANES_GLUE(a, b) LANES_GLUE_(a, b)
@@ -56,6 +57,7 @@ static inline float lanes_sum(floatW v) {
   return a.x + a.y;
 }
 #define lanes_last(v) ((v).s3)
+#define lanes_shift(first, v) ((float4)(first, (v).xyz))
 #define lanes_iota() ((float4)(0, 1, 2, 3))
 static inline floatW lanes_before(floatW v) {
   v += (float4)(0, v.xyz);
@@ -72,6 +74,7 @@ static inline float lanes_sum(floatW v) {
   return b.x + b.y;
 }
 #define lanes_last(v) ((v).s7)
+#define lanes_shift(first, v) ((float8)(first, (v).s012, (v).s3456))
 #define lanes_iota() ((float8)(0, 1, 2, 3, 4, 5, 6, 7))
 static inline floatW lanes_before(floatW v) {
   v += (float8)(0, v.s012, v.s3456);
@@ -90,6 +93,7 @@ static inline float lanes_sum(floatW v) {
   return c.x + c.y;
 }
 #define lanes_last(v) ((v).sf)
+#define lanes_shift(first, v) ((float16)(first, (v).s012, (v).s3456, (v).s789abcde))
 #define lanes_iota() ((float16)(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15))
 static inline floatW lanes_before(floatW v) {
   v += (float16)(0, v.s012, v.s3456, v.s789abcde);

@@ -50,6 +50,9 @@
 #ifndef BRUME_LIGHT_GRID  // some medium has a light grid
 #define BRUME_LIGHT_GRID 1
 #endif
+#ifndef BRUME_LIQUID  // some medium is a liquid
+#define BRUME_LIQUID 1
+#endif
 #ifndef BRUME_IN_SCATTERINGS_USED  // bit IN_SCATTERING_x of the frame
 #define BRUME_IN_SCATTERINGS_USED (-1)
 #endif
@@ -67,6 +70,12 @@
 #endif
 #ifndef BRUME_SPECULAR  // some material reflects or refracts
 #define BRUME_SPECULAR 1
+#endif
+#ifndef BRUME_CLEAR_SHADOWS  // light passes shapes that refract
+#define BRUME_CLEAR_SHADOWS 1
+#endif
+#ifndef BRUME_STARTS_INSIDE  // camera rays may begin inside of shapes that refract
+#define BRUME_STARTS_INSIDE 1
 #endif
 #ifndef BRUME_LIGHTS_USED  // bit LIGHT_x
 #define BRUME_LIGHTS_USED (-1)

@@ -11,8 +11,8 @@ static inline int slab_cut(float lo, float hi, float o, float d, float* t0, floa
     return o >= lo - rounding && o <= hi + rounding;
   }
   const float a = (lo - o) * inv_d, b = (hi - o) * inv_d;
-  *t0 = fmax(*t0, fmin(a, b));
-  *t1 = fmin(*t1, fmax(a, b));
+  *t0 = fmax_ordered(*t0, fmin_ordered(a, b));
+  *t1 = fmin_ordered(*t1, fmax_ordered(a, b));
   return 1;
 }
 

@@ -23,6 +23,7 @@ static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* 
   Surface s;
   const float3 dir = vec_unpack(ray->dir);
   s.point = vec_point(vec_unpack(ray->origin), dir, hit->t);
+  int known = -1;  // whether the ray comes from inside, where the hit says so
 #if BRUME_TRIANGLES
   if (hit->primitive >= FIRST_TRIANGLE) {
     const Triangle t = scene->triangles[hit->primitive - FIRST_TRIANGLE];
@@ -35,11 +36,16 @@ static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* 
 #endif
   {
     const Shape shape = scene->shapes[hit->primitive];
-    s.geometric_normal = shape_normal(&shape, s.point, &s.uv);
-    s.normal = s.geometric_normal;
     s.material = shape.material;
+    if (USES_SHAPE(ISOSURFACE) && shape.type == SHAPE_ISOSURFACE) {
+      s.normal = isosurface_normals(scene, &shape, s.point, dir, hit, &s.geometric_normal);
+      s.uv = (float2)(0.0f);
+      known = hit->v > 0.0f;
+    } else {
+      s.normal = s.geometric_normal = shape_normal(&shape, s.point, &s.uv);
+    }
   }
-  s.leaving = dot(s.geometric_normal, dir) > 0.0f;
+  s.leaving = known >= 0 ? known : dot(s.geometric_normal, dir) > 0.0f;
   if (s.leaving) {
     s.geometric_normal = -s.geometric_normal;
     s.normal = -s.normal;
@@ -51,6 +57,11 @@ static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* 
 // Start of a ray that leaves the surface in direction dir.
 static inline float3 surface_leave(const Surface* s, float3 dir) {
   return s->point + s->geometric_normal * (dot(s->geometric_normal, dir) < 0.0f ? -s->epsilon : s->epsilon);
+}
+
+// How far in direction dir that start is from the surface.
+static inline float surface_gap(const Surface* s, float3 dir) {
+  return s->epsilon * fabs(dot(s->geometric_normal, dir));
 }
 
 #endif

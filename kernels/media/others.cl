@@ -68,7 +68,7 @@ OUTLINED Beside beside_walk(const Scene* scene, const Medium* medium, const Medi
   const int whole = WALKED_IS(medium, STEPS) || WALKED_IS(medium, PIECES) ||
                     RULE_IS(medium, MIDPOINT);  // segments may begin before `from`
   Beside out = {(floatW)(0.0f), (floatW)(0.0f)};
-  Walk walk = walk_within(medium, ray, random, from, until);
+  Walk walk = walk_within(scene, medium, ray, random, from, until);
   Segments at;
   for (;;) {
     walk_next_stored(scene, medium, ray, &walk, &at);

@@ -158,7 +158,7 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
   Segments whole, parts;
   Cut cut;
   cut.lane = W;
-  Walk walk = walk_begin(&medium, &ray, s.walk, WALK_SCATTERS);
+  Walk walk = walk_begin(scene, &medium, &ray, s.walk, WALK_SCATTERS);
   const int lit_steps = SUMS_BY(scene, &medium, GAUSS2) && IS_PRODUCT(&medium);
   const int runs = METHOD_IS(&medium, ADAPTIVE) && medium.light_grids < 0 && LIGHTS_ALL(scene) &&
                    vec_max(vec_unpack(medium.sigma_s)) > 0.0f;

@@ -78,10 +78,12 @@ static inline void run_ask(const Scene* scene, const Stretch* s, const Run* run,
 #endif
   Tau passed = (Tau)(0.0f);
   ++result->shadow_rays;
-  if (scene_occluded(scene, point, -sample.travel, sample.reach))
+  const float3 surfaces = light_passes(scene, point, -sample.travel, sample.reach, 0.0f);
+  if (!(vec_max(surfaces) > 0.0f))
     result->shadow_key += (uint)(l + 1);
   else
-    passed = exp(-media_tau(scene, -1, point, -sample.travel, sample.distance, random, &result->lookups));
+    passed = TAU_OF_COLOR(surfaces) *
+             exp(-media_tau(scene, -1, point, -sample.travel, sample.distance, random, &result->lookups));
   for (int c = 0; c < TAU_CHANNELS; ++c) light->passed[c][i] = tau_channel(passed, c);
 }
 

@@ -1,6 +1,7 @@
 // All media along a view ray: what they scatter towards its origin, and the transmittance through them.
 #ifndef BRUME_MEDIA_SCATTER_CL
 #define BRUME_MEDIA_SCATTER_CL
+#include "media/liquid.cl"
 #include "media/together.cl"
 
 // Roulette and trackers change τ as their random numbers say, which nobody but the medium itself may see; `adaptive`
@@ -34,7 +35,15 @@ OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 di
     tau += media_scatter_together(scene, &m, origin, dir, t_max, random, &radiance, &result);
 #endif
 #if BRUME_MEDIA
+#if BRUME_LIQUID
+  for (int m = 0; m < MEDIA_END(scene); ++m) {
+    if (!RULE_IS(scene->media + m, LINEAR)) continue;
+    const Tau own = liquid_scatter(scene, m, origin, dir, t_max, random, &radiance, &result);
+    if (!together) tau += own;
+  }
+#endif
   for (int m = 0; !together && m < MEDIA_END(scene); ++m) {
+    if (RULE_IS(scene->media + m, LINEAR)) continue;
     tau += medium_only_absorbs(scene->media + m)
                ? medium_tau(scene, m, origin, dir, t_max, random, WALK_SEEN, &result.lookups)
                : medium_scatter(scene, m, origin, dir, t_max, random, &radiance, &result);

@@ -2,10 +2,10 @@
 #ifndef BRUME_MEDIA_SOURCES_CL
 #define BRUME_MEDIA_SOURCES_CL
 #include "lights/lights.cl"
+#include "materials/glass.cl"
 #include "media/light_grid.cl"
 #include "media/stretch.cl"
 #include "phase/phase.cl"
-#include "shapes/shapes.cl"
 
 // RGB of every lane.
 typedef struct {
@@ -34,11 +34,12 @@ static inline float3 place_arriving(const Scene* scene, const Stretch* s, int l,
   const LightSample light = light_sample(scene, l, point, s->random);
   if (!(vec_max(light.irradiance) > 0.0f)) return (float3)(0.0f);
   ++result->shadow_rays;
-  if (scene_occluded(scene, point, -light.travel, light.reach)) {
+  const float3 passes = light_passes(scene, point, -light.travel, light.reach, 0.0f);
+  if (!(vec_max(passes) > 0.0f)) {
     result->shadow_key += (uint)(l + 1);
     return (float3)(0.0f);
   }
-  return light.irradiance * phase_eval(s->medium->phase, s->medium->g, light.travel, -s->dir);
+  return passes * light.irradiance * phase_eval(s->medium->phase, s->medium->g, light.travel, -s->dir);
 }
 
 #if BRUME_LIGHT_GRID

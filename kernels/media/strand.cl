@@ -85,7 +85,7 @@ static inline int strand_begin(const Scene* scene, Strand* k, int m, float3 orig
   k->stored = !RULE_IS(&k->medium, PRODUCT);
   k->ended = !k->stored && !k->lit;
   k->stretch = stretch_of(&k->medium, &k->ray, origin, dir, t_max, random, m);
-  k->walk = walk_begin(&k->medium, &k->ray, k->stretch.walk, WALK_SCATTERS);
+  k->walk = walk_begin(scene, &k->medium, &k->ray, k->stretch.walk, WALK_SCATTERS);
   if (k->lit && HAS_LIT_STEPS(scene, &k->medium)) k->lit_steps = lit_steps_begin(scene, &k->stretch, m);
   k->waits = 0;
   k->known = -INFINITY;

@@ -9,6 +9,7 @@
 typedef float3 Tau;
 #define tau_min(v) vec_min(v)
 #define tau_max(v) vec_max(v)
+#define TAU_OF_COLOR(color) (color)
 #define tau_channel(v, c) ((c) == 0 ? (v).x : ((c) == 1 ? (v).y : (v).z))
 static inline Tau medium_sigma_t(const Medium* m) { return vec_unpack(m->sigma_a) + vec_unpack(m->sigma_s); }
 #else
@@ -16,6 +17,7 @@ static inline Tau medium_sigma_t(const Medium* m) { return vec_unpack(m->sigma_a
 typedef float Tau;
 #define tau_min(v) (v)
 #define tau_max(v) (v)
+#define TAU_OF_COLOR(color) ((color).x)  // of three that are the same
 #define tau_channel(v, c) (v)
 static inline Tau medium_sigma_t(const Medium* m) { return m->sigma_a.x + m->sigma_s.x; }
 #endif
@@ -85,7 +87,7 @@ static inline Collision track_collide(const Medium* medium, const Random* walk, 
 // τ of a medium by tracking: an estimate whose exp(-τ) is right in the mean.
 static inline Tau track_tau(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random, Tau sigma_t,
                             uint* lookups) {
-  Walk walk = walk_begin(medium, ray, random, WALK_TO_LIGHT);
+  Walk walk = walk_begin(scene, medium, ray, random, WALK_TO_LIGHT);
   Segments at;
   float integral[W];
   Tau tau = (Tau)(0.0f);

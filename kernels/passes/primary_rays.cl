@@ -1,7 +1,7 @@
 // Wave 0: the camera rays of a batch, the samples of each entry of its work side by side. Of every wave: the surfaces
 // that its rays hit first.
 #include "lib/camera.cl"
-#include "shapes/shapes.cl"
+#include "materials/glass.cl"
 
 // The last entry that begins at ray `item` or before.
 static inline Work work_find(__global const Work* work, uint entries, uint item) {
@@ -23,6 +23,10 @@ __kernel void primary_rays(SCENE_ARGS, __global const Work* work, uint entries, 
     const Work entry = work_find(work, entries, item);
     Ray camera = camera_ray(frame, entry.pixel, entry.first_sample + (item - entry.first_ray));
     ray_start_before_planes(&scene, &camera);
+    inside_begin(camera.inside);
+#if BRUME_STARTS_INSIDE && HAS_SURFACES
+    if (frame->starts_inside) ray_begin_inside(&scene, &camera);
+#endif
     rays[item] = camera;
   }
   const Ray ray = rays[item];

@@ -7,7 +7,7 @@
 OUTLINED SurfaceResult surface_result(const Scene* scene, const Ray* ray, const Hit* hit, float3 transmittance,
                                       int sends, __global Ray* sent) {
   SurfaceResult result;
-  result.lit = result.lookups = result.sent = result.dropped_rays = 0;
+  result.lit = result.lookups = result.shadow_rays = result.sent = result.dropped_rays = 0;
   result.dropped_weight = 0.0f;
   const Surface surface = surface_at(scene, ray, hit);
   const Material material = scene->materials[surface.material];
@@ -19,10 +19,11 @@ OUTLINED SurfaceResult surface_result(const Scene* scene, const Ray* ray, const 
     return result;
   }
 #endif
+  const float3 weight = vec_unpack(ray->weight) * transmittance;
   result.radiance =
-      vec_pack(surface_lights(scene, &surface, &material, -vec_unpack(ray->dir), ray_random(ray), &result));
+      vec_pack(surface_lights(scene, &surface, &material, -vec_unpack(ray->dir), weight, ray_random(ray), &result));
 #if BRUME_SPECULAR
-  if (sends) rays_send(ray, &surface, &material, vec_unpack(ray->weight) * transmittance, sent, &result);
+  if (sends) rays_send(scene, ray, &surface, &material, weight, sent, &result);
 #endif
   return result;
 }

@@ -1,4 +1,6 @@
-// What the media do to each ray between its origin and its hit: transmittance and in-scattered radiance.
+// What the media do to each ray between its origin and its hit: transmittance and in-scattered radiance. What a shape
+// that refracts absorbs of what lies behind is part of the transmittance.
+#include "materials/inside.cl"
 #include "media/scatter.cl"
 
 __kernel void traverse_dda(SCENE_ARGS, uint count, __global const Ray* rays, __global const Hit* hits,
@@ -7,5 +9,12 @@ __kernel void traverse_dda(SCENE_ARGS, uint count, __global const Ray* rays, __g
   if (item >= count) return;
   const Scene scene = SCENE_PACK;
   const Ray ray = rays[item];
-  results[item] = media_scatter(&scene, vec_unpack(ray.origin), vec_unpack(ray.dir), hits[item].t, ray_random(&ray));
+  MediumResult result =
+      media_scatter(&scene, vec_unpack(ray.origin), vec_unpack(ray.dir), hits[item].t, ray_random(&ray));
+#if BRUME_SPECULAR
+  if (ray.inside[0] >= 0)
+    result.transmittance =
+        vec_pack(vec_unpack(result.transmittance) * inside_transmittance(&scene, ray.inside, ray.start + hits[item].t));
+#endif
+  results[item] = result;
 }

@@ -2,25 +2,31 @@
 #ifndef BRUME_PATH_SURFACE_LIGHT_CL
 #define BRUME_PATH_SURFACE_LIGHT_CL
 #include "lights/lights.cl"
+#include "materials/glass.cl"
 #include "materials/material.cl"
 #include "media/tau.cl"
 
-// What it scatters of the light of shadow ray n; none where that comes from behind or something blocks it.
+// What it scatters of the light of shadow ray n; none where that comes from behind or something blocks it. `weight`: of
+// that in the sample. Of what refracts, highlights are asked for where they count.
 static inline float3 surface_light(const Scene* scene, const Surface* surface, const Material* material, float3 diffuse,
-                                   float3 to_viewer, LightPick pick, int n, Random random, SurfaceResult* result) {
+                                   float3 to_viewer, float3 weight, LightPick pick, int n, Random random,
+                                   SurfaceResult* result) {
   const LightSample light = light_sample(scene, pick.light, surface->point, random);
   const float3 to_light = -light.travel, from = surface_leave(surface, to_light);
-  if (!(dot(surface->normal, to_light) > 0.0f) || scene_occluded(scene, from, to_light, light.reach))
-    return (float3)(0.0f);
+  ++result->shadow_rays;
+  if (!(dot(surface->normal, to_light) > 0.0f)) return (float3)(0.0f);
+  const float3 scattered = material_reflect(material, diffuse, surface->normal, to_light, to_viewer);
+  if (material->refraction > 0.0f && vec_max(weight * scattered) < scene->frame->cutoff) return (float3)(0.0f);
+  const float3 passes = light_passes(scene, from, to_light, light.reach, surface_gap(surface, to_light));
+  if (!(vec_max(passes) > 0.0f)) return (float3)(0.0f);
   result->lit |= 1u << (pick.light & 31);
   const float3 transmittance = media_transmittance(scene, from, to_light, light.distance,
                                                    random_stream(random, STREAM_LIGHT + (uint)n), &result->lookups);
-  return pick.weight * light.irradiance * transmittance *
-         material_reflect(material, diffuse, surface->normal, to_light, to_viewer);
+  return pick.weight * light.irradiance * passes * transmittance * scattered;
 }
 
 static inline float3 surface_lights(const Scene* scene, const Surface* surface, const Material* material,
-                                    float3 to_viewer, Random random, SurfaceResult* result) {
+                                    float3 to_viewer, float3 weight, Random random, SurfaceResult* result) {
   uint second;
   const float3 diffuse = texture_times(scene, material->diffuse, material->texture, surface->uv, &result->second);
   float3 sum = texture_times(scene, material->emission, material->emission_texture, surface->uv, &second) +
@@ -28,8 +34,8 @@ static inline float3 surface_lights(const Scene* scene, const Surface* surface, 
   result->second |= second;
   const float xi = light_choice(random, 0);
   for (int n = 0; n < scene->frame->light_picks; ++n)
-    sum += surface_light(scene, surface, material, diffuse, to_viewer, light_choose(scene, n, xi), n, random, result);
-  result->shadow_rays = (uint)scene->frame->light_picks;
+    sum += surface_light(scene, surface, material, diffuse, to_viewer, weight, light_choose(scene, n, xi), n, random,
+                         result);
   return sum;
 }
 

@@ -2,9 +2,12 @@
 // item i reads its floats of `in` and writes its floats of `out`; host/check knows the strides.
 #include "density/density.cl"
 #include "lib/camera.cl"
+#include "materials/inside.cl"
 #include "materials/material.cl"
 #include "materials/surface.cl"
 #include "media/scatter.cl"
+#include "passes/presence_gradients.cl"
+#include "shapes/cell_crossing.cl"
 #include "shared/aov.h"
 #include "shared/layout.h"
 
@@ -85,6 +88,26 @@ PROBE(probe_surface) {
   out[8 * item + 7] = s.uv.y;
 }
 
+// in: 8 corners of a cell, iso, where a ray enters it, the way to where it leaves it. out: where it crosses the surface
+// first as a share of that way, else -1
+PROBE(probe_cell) {
+  PROBE_ITEM;
+  __global const float* v = in + 15 * item;
+  CellRay cell;
+  for (int i = 0; i < 8; ++i) cell.corner[i] = v[i];
+  cell.iso = v[8];
+  cell.p = probe_load3(v + 9);
+  cell.d = probe_load3(v + 12);
+  int inside = -1;
+  out[item] = cell_crossing(&cell, &inside);
+}
+
+// in: cosine of the angle of incidence, ratio of the indices of refraction. out: share that is mirrored
+PROBE(probe_fresnel) {
+  PROBE_ITEM;
+  out[item] = fresnel_reflectance(in[2 * item], in[2 * item + 1]);
+}
+
 // in: texture as bits, u, v. out: color, 1 in the second color of a checker or beside an image that is shown once
 PROBE(probe_texture) {
   PROBE_ITEM;
@@ -114,7 +137,7 @@ PROBE(probe_segments) {
   const MediumRay ray = medium_ray(&medium, probe_load3(v + 1), probe_load3(v + 4), v[7]);
   for (int i = 0; i < 2 * PROBE_SEGMENTS; ++i) o[i] = 0.0f;
   if (!(ray.length > 0.0f)) return;
-  Walk walk = walk_begin(&medium, &ray, random_begin(frame, item, 0), WALK_SCATTERS);
+  Walk walk = walk_begin(&scene, &medium, &ray, random_begin(frame, item, 0), WALK_SCATTERS);
   Segments at;
   int n = 0;
   for (walk_next(&scene, &medium, &ray, &walk, &at); at.count > 0; walk_next(&scene, &medium, &ray, &walk, &at)) {

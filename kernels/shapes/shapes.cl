@@ -5,17 +5,18 @@
 #include "shapes/box.cl"
 #include "shapes/bvh.cl"
 #include "shapes/cylinder.cl"
+#include "shapes/isosurface.cl"
 #include "shapes/plane.cl"
 #include "shapes/quad.cl"
 #include "shapes/sphere.cl"
 
 #define PLANE_MARGIN 0x1p-5f  // of the distance to a plane: how far before it a ray starts
 
-// t of the nearest hit with t > 0 of one shape; INFINITY for a miss. A row without its function does not compile.
+// t of the nearest hit with t > 0 of one closed form; INFINITY for a miss. A row without its function does not compile.
 static inline float shape_hit(const Shape* shape, float3 origin, float3 dir) {
 #define ROW(id, name, help) \
   if (USES_SHAPE(id) && shape->type == SHAPE_##id) return name##_hit(shape, origin, dir);
-  BRUME_SHAPES(ROW)
+  BRUME_CLOSED_FORMS(ROW)
 #undef ROW
   return INFINITY;
 }
@@ -24,7 +25,7 @@ static inline float shape_hit(const Shape* shape, float3 origin, float3 dir) {
 static inline float3 shape_normal(const Shape* shape, float3 point, float2* uv) {
 #define ROW(id, name, help) \
   if (USES_SHAPE(id) && shape->type == SHAPE_##id) return name##_normal(shape, point, uv);
-  BRUME_SHAPES(ROW)
+  BRUME_CLOSED_FORMS(ROW)
 #undef ROW
   *uv = (float2)(0.0f);
   return (float3)(0.0f, 0.0f, 1.0f);
@@ -34,7 +35,7 @@ static inline float3 shape_normal(const Shape* shape, float3 point, float2* uv) 
 static inline ShapePlace shape_emit(const Shape* shape, float3 from, float2 xi) {
 #define ROW(id, name, help) \
   if (USES_SHAPE(id) && shape->type == SHAPE_##id) return name##_emit(shape, from, xi);
-  BRUME_SHAPES(ROW)
+  BRUME_CLOSED_FORMS(ROW)
 #undef ROW
   return shape_place_of((float3)(0.0f), (float3)(0.0f), 0.0f);
 }
@@ -49,10 +50,16 @@ static inline Hit scene_hit(const Scene* scene, float3 origin, float3 dir, float
 #if BRUME_SHAPES_USED
   for (int i = 0; i < scene->frame->shape_count; ++i) {
     const Shape shape = scene->shapes[i];
+    if (USES_SHAPE(ISOSURFACE) && shape.type == SHAPE_ISOSURFACE) {
+      isosurface_hit(scene, &shape, i, origin, dir, &hit);
+      if (any && hit.primitive == i) return hit;
+      continue;
+    }
     const float t = shape_hit(&shape, origin, dir);
     if (!(t < hit.t)) continue;
     hit.t = t;
     hit.primitive = i;
+    hit.u = hit.v = 0.0f;  // maybe those of an isosurface behind
     if (any) return hit;
   }
 #endif

@@ -38,7 +38,10 @@ typedef struct {
   float occlusion_reach;  // what is further off does not occlude
   int occlusion_rotates;  // 1: the directions are turned from pixel to pixel and sample to sample
   int hides_background;   // 1: camera rays see nothing where they hit nothing; mirrors and glass go on seeing it
+  float cutoff;           // rays whose light weighs less than this in every channel are not sent on
+  int clear_shadows;      // 1: light passes shapes that refract, straight on; 0: they block it
+  int starts_inside;      // 1: camera rays may begin inside of shapes that refract
 } Frame;
-BRUME_LAYOUT(Frame, 188);
+BRUME_LAYOUT(Frame, 200);
 BRUME_SHARED_END
 #endif

@@ -51,11 +51,12 @@ typedef struct {
   Packed3 emission;
   float ior;
   float reflection;      // weight of the mirrored ray
-  float refraction;      // weight of the transmitted ray
+  float refraction;      // weight of the transmitted ray; with `fresnel` of both
   int emission_texture;  // an image, times emission; -1 for none
-  float pad;
+  int fresnel;           // 1: Fresnel's equations share `refraction` out between both rays; `reflection` is 0
+  Packed3 absorption;    // per flat unit, inside a shape that refracts
 } Material;
-BRUME_LAYOUT(Material, 80);
+BRUME_LAYOUT(Material, 92);
 
 // checker: color_a where floor(u scale) + floor(v scale) is even, color_b elsewhere.
 // image: texel (x, row) of linear RGB at texels[3 * (offset + row * width + x)]; row 0 is the BOTTOM row (v = 0). It is

@@ -1,7 +1,7 @@
 // Participating media. One is written as four structs, apart because each is shared or changed by itself:
 //   BrickGrid   a grid in bricks, however many media show it       (of FlatScene, as the next two)
 //   PlacedGrid  where it stands
-//   MediumBody  what fills it: coefficients and phase function
+//   MediumBody  what fills it: coefficients and phase function, or a Liquid
 //   MediumWalk  how one picture walks through it                   (of RenderPlan)
 // medium_join puts the four together: Medium, the only one that kernels read.
 // "Cell space": the space in which the DDA walks. Cell c spans [c, c+1) on each axis.
@@ -23,6 +23,9 @@
 #define BRICK_BLOCK (1 << BRICK_BLOCK_SHIFT)  // bricks along a side
 #define BRICK_BLOCK_ENTRIES (BRICK_BLOCK * BRICK_BLOCK * BRICK_BLOCK)
 
+#define GRADIENT_ITEMS (BRICK_SAMPLES * BRICK_SAMPLES)  // of a brick, each a row of samples
+#define GRADIENT_PARTS 254                              // a difference of presences, halved, is within ±1/2
+
 // So many media are walked side by side along a view ray.
 #define MEDIA_TOGETHER 16
 
@@ -36,6 +39,9 @@ enum MediumRegion { REGION_BOX, REGION_SPHERE };  // sphere: the ellipsoid inscr
 //          voxels[n * BRICK_VALUES], or BRICK_EMPTY. Blocks of the same entry throughout share them; bricks of one
 //          constant value share their samples.
 // ranges:  2 floats (min, max of the samples) per stored brick.
+// gradients: of the stored bricks of liquids, 4 values for every sample: the differences of its neighbours along x, y
+//          and z, halved, and the sample itself; as voxels are stored, in bytes (value - 128) / GRADIENT_PARTS. Beyond
+//          the grid the nearest sample goes on; bricks of one value have none.
 typedef struct {
   int brick_offset;
   int cells_x, cells_y, cells_z;     // cells of the grid; cells outside a medium's [lo, hi] may exist as padding
@@ -66,8 +72,29 @@ typedef struct {
   Packed3 emission;  // radiance per world unit, times density
   int phase;
   float g;
+  int liquid;  // -1: none
 } MediumBody;
-BRUME_LAYOUT(MediumBody, 52);
+BRUME_LAYOUT(MediumBody, 56);
+
+// A liquid: the density of its medium is its presence p, which counts as 0 below `outside`. Light is scattered where p
+// is between `outside` and `inside`.
+typedef struct {
+  Packed3 diffuse;  // albedo times light_intensity
+  float outside;
+  Packed3 specular;
+  float inside;
+  Packed3 ambient;  // times that of the frame
+  float shininess;
+  float rate;     // 0: lit by the change of p; else by the way between outside and inside, so much per flat unit
+  int gradients;  // brick of its gradients less brick of its samples
+} Liquid;
+BRUME_LAYOUT(Liquid, 56);
+
+// Of a brick of gradients: where it lies, so that its neighbours are found.
+typedef struct {
+  int medium, x, y, z;
+} GradientBrick;
+BRUME_LAYOUT(GradientBrick, 16);
 
 // How one picture walks through a medium.
 typedef struct {
@@ -80,8 +107,9 @@ typedef struct {
   float tau_lit;      // optical depth behind which no light is asked for
   int piece_rates;    // its rows of RenderPlan::piece_rates begin there
   int light_steps;    // rays to lights take equal steps of `step` instead of pieces
+  int slices;         // of a liquid: steps end on planes across the view, `step` apart
 } MediumWalk;
-BRUME_LAYOUT(MediumWalk, 36);
+BRUME_LAYOUT(MediumWalk, 40);
 
 // All of it side by side, as kernels read it: one copy out of memory for every ray.
 typedef struct {
@@ -98,8 +126,9 @@ typedef struct {
   int light_grids;
   float tolerance, tau_part, tau_lit;
   int piece_rates, light_steps;
+  int liquid, slices;
 } Medium;
-BRUME_LAYOUT(Medium, 244);
+BRUME_LAYOUT(Medium, 252);
 
 #ifndef __OPENCL_C_VERSION__
 static inline int medium_placed(MediumBody body) { return body.density >= 0 ? body.density : body.glow; }
@@ -137,6 +166,8 @@ static inline Medium medium_join(const BrickGrid* grid, const PlacedGrid* placed
   m.tau_lit = walk->tau_lit;
   m.piece_rates = walk->piece_rates;
   m.light_steps = walk->light_steps;
+  m.liquid = body->liquid;
+  m.slices = walk->slices;
   return m;
 }
 #endif

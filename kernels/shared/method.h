@@ -8,6 +8,7 @@
 #define FITS_NEAREST 1
 #define FITS_TRILINEAR 2
 #define FITS_CONSTANT 4
+#define FITS_PRESENCE 8  // of a liquid: below a threshold it counts as 0
 
 // What a method draws random numbers for.
 #define DRAWS_NOTHING 0
@@ -39,10 +40,11 @@
   RULE(MIDPOINT, dda_midpoint, 1) \
   RULE(SAMPLE, march, 1)          \
   RULE(PRODUCT, homogeneous, 0)   \
-  RULE(PIECE, piece, 2)
+  RULE(PIECE, piece, 2)           \
+  RULE(LINEAR, linear, 1)
 
 // ROW(ID, name, densities that it fits, placement, rule, share of a segment before its sample, over how much more of it
-// the sample is drawn, draws, densities for which it is exact, help). `auto` takes the first that is exact.
+// the sample is drawn, draws, densities for which it is exact, or as close as any, help). `auto` takes the first of these.
 #define BRUME_METHODS(ROW)                                                                                          \
   ROW(DDA_NEAREST, "dda_nearest", FITS_NEAREST, CELLS, NEAREST, 0.5f, 0.0f, DRAWS_NOTHING, FITS_NEAREST,            \
       "voxel by voxel; exact for nearest")                                                                          \
@@ -67,7 +69,9 @@
   ROW(HOMOGENEOUS, "homogeneous", FITS_CONSTANT, STEPS, PRODUCT, 0.5f, 0.0f, DRAWS_NOTHING, FITS_CONSTANT,          \
       "closed form for a constant density (also cut to a sphere); equal steps for the light")                       \
   ROW(ADAPTIVE, "adaptive", FITS_TRILINEAR | FITS_CONSTANT, PIECES, PIECE, 0.5f, 0.0f, DRAWS_NOTHING, 0,            \
-      "as fine as render.tolerance asks: pieces of bricks, light where it bends")
+      "as fine as render.tolerance asks: pieces of bricks, light where it bends")                                   \
+  ROW(MARCH_LINEAR, "march_linear", FITS_PRESENCE, STEPS, LINEAR, 0.5f, 0.0f, DRAWS_NOTHING, FITS_PRESENCE,         \
+      "equal steps, between which the presence of a liquid is taken to be linear")
 
 // How the light scattered along a segment is summed.
 #define BRUME_IN_SCATTERINGS(ROW)                                                                \

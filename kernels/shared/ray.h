@@ -8,6 +8,9 @@
 #define SECONDARY_RAYS_MAX 4096
 #define SECONDARY_DEPTH_WHOLE 11
 
+// How many shapes that refract, one inside the other, a ray remembers to be inside of.
+#define INSIDE_MAX 4
+
 BRUME_SHARED_BEGIN
 // Samples of one pixel in a batch. No pixel has two entries in it.
 typedef struct {
@@ -23,14 +26,17 @@ typedef struct {
   uint pixel;   // y * width + x, y = 0 at the top
   Packed3 dir;  // unit, world space
   uint sample;
-  Packed3 weight;  // of its light in the sample: 1 for a camera ray
-  uint seed;       // of its random numbers
-  float heirs;     // how many rays it may send on, those that these send on included
-  float start;     // of a camera ray: distance from the camera to its origin
+  Packed3 weight;          // of its light in the sample: 1 for a camera ray
+  uint seed;               // of its random numbers
+  float heirs;             // how many rays it may send on, those that these send on included
+  float start;             // how far before its origin it begins: in the camera, or on the surface that sends it on
+  int inside[INSIDE_MAX];  // materials that it is inside of, the last entered first; -1: no more
 } Ray;
-BRUME_LAYOUT(Ray, 56);
+BRUME_LAYOUT(Ray, 72);
 
-// t: distance to the surface, INFINITY for a miss. u, v: barycentric coordinates of a triangle (else 0).
+// t: distance to the surface, INFINITY for a miss. u, v: barycentric coordinates of a triangle. Of an isosurface u is
+// where it is met, 0 in the grid, on the border of the grid 1 + 2 axis + (1 on the upper side), v is 1 from inside. Else
+// 0.
 typedef struct {
   float t;
   int primitive;  // shape index, FIRST_TRIANGLE + triangle index, or PRIMITIVE_NONE

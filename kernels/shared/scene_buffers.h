@@ -9,7 +9,7 @@
 // between them.
 //   FLAT    the same for every picture of a scene: a member of FlatScene
 //   PLAN    of one picture: a member of RenderPlan
-//   STORED  depends on render.storage
+//   STORED  depends on render.storage; gradients are filled on the device, once
 //   JOINED  of the media of FlatScene and their walks in RenderPlan (medium_join)
 //   SCRATCH filled on the device
 #define BRUME_SCENE_BUFFERS(ROW, NEXT)                                                                    \
@@ -20,6 +20,8 @@
   ROW(__global, Texture, textures, FLAT, textures, "textures") NEXT                                       \
   ROW(__global, float, texels, FLAT, texels, "texture pixels") NEXT                                       \
   ROW(__global, Shape, shapes, FLAT, shapes, "shapes") NEXT                                               \
+  ROW(__global, Isosurface, isosurfaces, FLAT, isosurfaces, "isosurfaces") NEXT                           \
+  ROW(__global, uint, iso_masks, FLAT, iso_masks, "cells of isosurfaces") NEXT                            \
   ROW(__global, Triangle, triangles, FLAT, triangles, "triangles") NEXT                                   \
   ROW(__global, float, bvh_nodes, FLAT, bvh_nodes, "BVH nodes") NEXT                                      \
   ROW(__global, int, bvh_links, FLAT, bvh_links, "BVH links") NEXT                                        \
@@ -29,6 +31,9 @@
   ROW(__global, int, bricks, FLAT, bricks, "brick index") NEXT                                            \
   ROW(__global, float, ranges, STORED, brick_ranges, "brick ranges") NEXT                                 \
   ROW(__global, Voxel, voxels, STORED, voxels, "voxels") NEXT                                             \
+  ROW(__global, Liquid, liquids, FLAT, liquids, "liquids") NEXT                                           \
+  ROW(__global, GradientBrick, gradient_bricks, FLAT, gradient_bricks, "bricks of gradients") NEXT        \
+  ROW(__global, Voxel, gradients, STORED, gradients, "gradients") NEXT                                    \
   ROW(__global, float, piece_rates, PLAN, piece_rates, "rates of pieces") NEXT                            \
   ROW(__global, LightGrid, light_grids, PLAN, light_grids, "light grids") NEXT                            \
   ROW(__global, float, light_tau, SCRATCH, light_entries, "light grid depths")

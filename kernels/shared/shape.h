@@ -4,13 +4,18 @@
 #include "shared/platform.h"
 
 // ROW(ID, name; kernels: NAME_hit and NAME_normal, help)
-// The analytic shapes. `triangle` and `mesh` are scene types too; both become Triangles.
-#define BRUME_SHAPES(ROW)                                                                   \
+// The analytic shapes, which their 12 numbers say all of.
+#define BRUME_CLOSED_FORMS(ROW)                                                             \
   ROW(SPHERE, sphere, "center, radius")                                                     \
   ROW(CYLINDER, cylinder, "closed cylinder: centre of the base, centre of the top, radius") \
   ROW(PLANE, plane, "unbounded: a point and the normal")                                    \
   ROW(QUAD, quad, "parallelogram corner + s u + t v, s and t in [0,1]")                     \
   ROW(BOX, box, "min, max, with a transform")
+
+// All records. `triangle` and `mesh` are scene types too; both become Triangles.
+#define BRUME_SHAPES(ROW) \
+  BRUME_CLOSED_FORMS(ROW) \
+  ROW(ISOSURFACE, isosurface, "where the density of a grid is iso")
 
 BRUME_SHARED_BEGIN
 enum ShapeType {
@@ -34,6 +39,7 @@ enum ShapeType {
 //                                                        uv: (s, t)
 //   box       0-11 Affine from world to the unit cube [0,1]³   uv: the face's two remaining coordinates, x before y
 //   before z
+//   isosurface 0 its number in FlatScene::isosurfaces, as a float    uv: 0
 typedef struct {
   int type;
   int material;
@@ -41,6 +47,23 @@ typedef struct {
   float data[12];
 } Shape;
 BRUME_LAYOUT(Shape, 64);
+
+// Where the trilinear density of a grid in bricks (shared/medium.h) is `iso`. It closes at the border of [lo, hi] in
+// cell space, outside of which the density is 0.
+typedef struct {
+  Affine cell_from_world;
+  Packed3 lo;
+  float iso;
+  Packed3 hi;
+  int brick_offset;
+  int cells_x, cells_y, cells_z;
+  int brick_nx, brick_ny, brick_nz;
+  int masks;  // of stored brick n: ISO_MASK_WORDS words of FlatScene::iso_masks from masks + n * ISO_MASK_WORDS on
+} Isosurface;
+BRUME_LAYOUT(Isosurface, 108);
+
+// Bit (z * 8 + y) * 8 + x of a brick's mask: its cell (x, y, z) may hold iso, however the voxels are stored.
+#define ISO_MASK_WORDS 16
 
 enum TriangleShading { TRIANGLE_FLAT, TRIANGLE_PHONG };
 

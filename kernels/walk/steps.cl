@@ -42,11 +42,6 @@ static inline floatW steps_place(const Steps* s, floatW number) {
   return (number + share) * s->size;
 }
 
-static inline intW steps_brick(floatW place, float origin, float dir, int bricks) {
-  const floatW p = mad_exact(place, (floatW)(dir), (floatW)(origin));
-  return lanes_whole(p * (1.0f / BRICK_CELLS), (floatW)((float)(bricks - 1)));
-}
-
 // The first step worth a look after W steps from `next` on were all in empty bricks: the one in which the next stored
 // brick begins, or the one before.
 OUTLINED int steps_skip(const Scene* scene, const Medium* medium, const MediumRay* ray, const Steps* s) {
@@ -68,9 +63,9 @@ __attribute__((always_inline)) static inline int steps_next(const Scene* scene, 
   while (s->next < s->count) {
     out->number = (floatW)((float)s->next) + lanes_iota();
     out->place = steps_place(s, out->number);
-    out->x = steps_brick(out->place, ray->origin.x, ray->dir.x, medium->brick_nx);
-    out->y = steps_brick(out->place, ray->origin.y, ray->dir.y, medium->brick_ny);
-    out->z = steps_brick(out->place, ray->origin.z, ray->dir.z, medium->brick_nz);
+    out->x = lanes_brick(out->place, ray->origin.x, ray->dir.x, medium->brick_nx);
+    out->y = lanes_brick(out->place, ray->origin.y, ray->dir.y, medium->brick_ny);
+    out->z = lanes_brick(out->place, ray->origin.z, ray->dir.z, medium->brick_nz);
     const intW entry = brick_entries_along(scene, medium, out->x, out->y, out->z);
     out->used = (out->number < (floatW)((float)s->count)) & (entry != (intW)(BRICK_EMPTY));
     if (lanes_any(out->used)) {

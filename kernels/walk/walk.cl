@@ -7,6 +7,7 @@
 #include "walk/homogeneous.cl"
 #include "walk/march.cl"
 #include "walk/pieces.cl"
+#include "walk/presence.cl"
 #include "walk/tracking.cl"
 
 // True for the method, placement or rule of this medium; folds to a constant when the scene uses one only, and code for
@@ -30,6 +31,9 @@ typedef struct {
   Dda dda;
   Steps steps;
   Pieces pieces;
+#if BRUME_LIQUID
+  Presence presence;
+#endif
 #if BRUME_TRACKING
   Track track;
 #endif
@@ -40,8 +44,15 @@ typedef struct {
 #define WALK_SEEN 1      // only the depth is, of a view ray
 #define WALK_TO_LIGHT 2  // or of a ray to a light
 
-static inline Walk walk_begin(const Medium* medium, const MediumRay* ray, Random random, int purpose) {
+static inline Walk walk_begin(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random,
+                              int purpose) {
   Walk w;
+#if BRUME_LIQUID
+  if (RULE_IS(medium, LINEAR)) {
+    w.presence = presence_begin(scene, medium, ray);
+    return w;
+  }
+#endif
   if (!PLACEMENT_IS(medium, STEPS)) w.dda = dda_begin(medium, ray, 0.0f);
   w.steps = steps_begin(medium, ray, random, method_share(medium->method), method_jitter(medium->method));
   w.pieces = pieces_begin(ray, ray->length, purpose == WALK_TO_LIGHT);
@@ -53,8 +64,15 @@ static inline Walk walk_begin(const Medium* medium, const MediumRay* ray, Random
 
 // The part of a walk that covers [from, until] of s: steps and pieces stay as they are along the whole ray, cells are
 // cut.
-static inline Walk walk_within(const Medium* medium, const MediumRay* ray, Random random, float from, float until) {
+static inline Walk walk_within(const Scene* scene, const Medium* medium, const MediumRay* ray, Random random,
+                               float from, float until) {
   Walk w;
+#if BRUME_LIQUID
+  if (RULE_IS(medium, LINEAR)) {
+    w.presence = presence_within(scene, medium, ray, from, until);
+    return w;
+  }
+#endif
   if (WALKED_IS(medium, STEPS)) {
     w.steps = steps_begin(medium, ray, random, method_share(medium->method), method_jitter(medium->method));
     w.steps.next = min((int)(from / w.steps.size), w.steps.count);
@@ -74,6 +92,12 @@ static inline Walk walk_within(const Medium* medium, const MediumRay* ray, Rando
 // The next up to W segments of a medium that is not constant.
 static inline void walk_next_stored(const Scene* scene, const Medium* medium, const MediumRay* ray, Walk* w,
                                     Segments* out) {
+#if BRUME_LIQUID
+  if (RULE_IS(medium, LINEAR)) {
+    presence_fill(scene, medium, ray, &w->presence, out);
+    return;
+  }
+#endif
   if (WALKED_IS(medium, STEPS)) {
     steps_fill(scene, medium, ray, &w->steps, out);
   } else if (WALKED_IS(medium, PIECES)) {
@@ -140,9 +164,10 @@ static inline float walk_total(const Scene* scene, const Medium* medium, const M
                                int purpose, float sigma, uint* lookups) {
   if (!(ray->length > 0.0f)) return 0.0f;
   if (IS_PRODUCT(medium)) return homogeneous_total(medium, ray);
-  Walk walk = walk_begin(medium, ray, random, purpose);
+  Walk walk = walk_begin(scene, medium, ray, random, purpose);
   const int light_steps = METHOD_IS(medium, ADAPTIVE) && purpose == WALK_TO_LIGHT && medium->light_steps;
-  if (WALKED_IS(medium, STEPS) || light_steps) return steps_total(scene, medium, ray, &walk.steps, sigma, lookups);
+  if (!RULE_IS(medium, LINEAR) && (WALKED_IS(medium, STEPS) || light_steps))
+    return steps_total(scene, medium, ray, &walk.steps, sigma, lookups);
   Segments at;
   float total = 0.0f;
   while (total * sigma < TAU_STOP) {  // one call of walk_next: every call site is compiled anew

@@ -45,7 +45,8 @@ inline reference::RayD in_world(const PlannedScene& scene, const reference::RayD
 }
 
 inline void expect_closed_form(const std::string& name, const ClosedForm& form,
-                               const std::vector<std::string>& overrides = {}, int scatter_order = 0) {
+                               const std::vector<std::string>& overrides = {}, int scatter_order = 0,
+                               double reference_limit = REFERENCE_LIMIT) {
   const PlannedScene scene = scene_flat(name, overrides, 4);
   const reference::Context context(scene, {scatter_order, 1});
   const Camera& camera = scene.frame.camera;
@@ -53,7 +54,7 @@ inline void expect_closed_form(const std::string& name, const ClosedForm& form,
     for (int x = 0; x < camera.width; ++x) {
       const reference::RayD ray = reference::camera_ray(camera, x, y, {0.5, 0.5});
       expect_relative(reference::ray_render(context, ray).radiance.y, form(scene, in_world(scene, ray)),
-                      REFERENCE_LIMIT, name + ", reference, pixel " + std::to_string(x) + "," + std::to_string(y));
+                      reference_limit, name + ", reference, pixel " + std::to_string(x) + "," + std::to_string(y));
     }
   for (const int lanes : {1, 4, 8, 16}) {
     // Kernels made for the scene with 8 lanes; else those for any scene, which are built once for all tests.

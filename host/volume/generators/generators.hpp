@@ -9,6 +9,7 @@ Grid density_linear(const DensitySpec& spec);
 Grid density_exponential(const DensitySpec& spec);
 Grid density_perlin(const DensitySpec& spec);
 Grid density_sphere(const DensitySpec& spec);
+Grid density_ball(const DensitySpec& spec);
 
 // A grid of spec.resolution. Refuses resolutions whose samples would not fit.
 inline Grid grid_empty(const DensitySpec& spec) {

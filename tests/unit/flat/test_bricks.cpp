@@ -58,6 +58,7 @@ struct Cut {
   Medium medium{};
   Cut(const Grid& grid, int interpolation) {
     medium.interpolation = interpolation;
+    medium.liquid = -1;
     bricks_append(grid, medium, scene);
   }
   int number(ivec3 b) const { return brick_number(scene, medium, b); }

@@ -95,6 +95,8 @@ TEST(SceneRefusals, RefusesBrokenMaterials) {
       {R"({"materials": {"m": {"shininess": -1}}})",
        "/materials/m/shininess: expected a number in [0, 1000000], got -1"},
       {R"({"materials": {"m": {"ior": 0}}})", "/materials/m/ior: expected a number > 0, got 0"},
+      {R"({"materials": {"m": {"fresnel": 1}}})", "/materials/m/fresnel: expected true or false, got 1"},
+      {R"({"materials": {"m": {"absorption": -1}}})", "/materials/m/absorption: expected a number >= 0, got -1"},
       {R"({"materials": {"m": {"reflection": 2}}})", "/materials/m/reflection: expected a number in [0, 1], got 2"},
       {R"({"materials": {"m": {"texture": ""}}})", "/materials/m/texture: expected the path of a file, got \"\""},
       {R"({"materials": {"m": {"texture": "a\u0000b"}}})", "/materials/m/texture: expected the path of a file"},
@@ -112,8 +114,11 @@ TEST(SceneRefusals, RefusesBrokenMaterials) {
 
 TEST(SceneRefusals, RefusesBrokenShapes) {
   expect_refused({
+      {R"({"shapes": [{"type": "isosurface"}]})", "/shapes/0: the key 'density' is missing"},
+      {R"({"shapes": [{"type": "isosurface", "density": {"type": "linear"}, "iso": 0}]})",
+       "/shapes/0/iso: expected a number > 0, got 0"},
       {R"({"shapes": [{"type": "teapot"}]})",
-       "/shapes/0/type: unknown shape 'teapot'; known: sphere, cylinder, plane, quad, box, triangle, mesh"},
+       "/shapes/0/type: unknown shape 'teapot'; known: sphere, cylinder, plane, quad, box, isosurface, triangle, mesh"},
       {R"({"shapes": [{"type": "sphere", "radius": 0}]})", "/shapes/0/radius: expected a number > 0, got 0"},
       {R"({"shapes": [{"type": "sphere", "corner": [0, 0, 0]}]})", "/shapes/0: unknown key 'corner'"},
       {R"({"shapes": [{"type": "sphere", "material": "gold"}]})",
@@ -151,7 +156,8 @@ TEST(SceneRefusals, RefusesBrokenMedia) {
   expect_refused({
       {R"({"media": [{}]})", "/media/0: the key 'density' is missing"},
       {R"({"media": [{"density": {"type": "marble"}}]})",
-       "/media/0/density/type: unknown density 'marble'; known: constant, linear, exponential, perlin, sphere, file"},
+       "/media/0/density/type: unknown density 'marble'; known: constant, linear, exponential, perlin, sphere, ball, "
+       "file"},
       {R"({"media": [{"density": {"type": "linear", "value": 1}}]})", "/media/0/density: unknown key 'value'"},
       {R"({"media": [{"density": {"type": "constant", "value": -1}}]})",
        "/media/0/density/value: expected a number >= 0, got -1"},
@@ -206,10 +212,46 @@ TEST(SceneRefusals, RefusesBrokenMedia) {
   });
 }
 
+TEST(SceneRefusals, RefusesBrokenLiquids) {
+  const auto liquid = [](const std::string& keys) {
+    return scene_error(R"({"media": [{"type": "liquid", "density": {"type": "ball"})" + keys + "}]}");
+  };
+  const auto expect = [&](const std::string& keys, const std::string& error) {
+    EXPECT_THAT(liquid(keys), StartsWith("dir/a.json: /media/0" + error)) << keys;
+  };
+  EXPECT_EQ(liquid(""), "no error");
+  expect(R"(, "model": "sph")", "/model: unknown model of a liquid 'sph'; known: local_lighting, surface");
+  expect(R"(, "presence": "keep")", "/presence: unknown rule for the presence 'keep'; known: refuse, scale, clamp");
+  expect(R"(, "interpolation": "nearest")", "/interpolation: a liquid has its surface between samples");
+  expect(R"(, "sigma_s": 1)", "/sigma_s: a liquid does not scatter");
+  expect(R"(, "emission": 1)", ": unknown key 'emission'");
+  expect(R"(, "phase": {"type": "isotropic"})", ": unknown key 'phase'");
+  expect(R"(, "tolerance": 0.1)", ": unknown key 'tolerance'");
+  expect(R"(, "iso": 0.5)", ": unknown key 'iso'");
+  expect(R"(, "outside": 0.6, "inside": 0.5)", "/inside: expected a presence above that of \"outside\", 0.6, got 0.5");
+  expect(R"(, "outside": 0.7)", "/outside: expected a presence below that of \"inside\", 0.6, got 0.7");
+  expect(R"(, "inside": 0.2)", "/inside: expected a presence above that of \"outside\", 0.5, got 0.2");
+  expect(R"(, "inside": 1.5)", "/inside: expected a number in [0, 1], got 1.5");
+  expect(R"(, "light_intensity": -1)", "/light_intensity: expected a number >= 0");
+  expect(R"(, "grazing_correction": 1)", "/grazing_correction: expected true or false, got 1");
+  expect(R"(, "slices": 0)", "/slices: expected an integer in [1, 100000], got 0");
+  expect(R"(, "model": "surface", "iso": 1)", "/iso: expected a number in (0, 1), got 1");
+  expect(R"(, "model": "surface", "outside": 0.1)", ": unknown key 'outside'");
+  expect(R"(, "model": "surface", "step": 0.1)", ": unknown key 'step'");
+  expect(R"(, "model": "surface", "material": "water")", "/material: unknown material 'water'; known: none");
+  EXPECT_THAT(scene_error(R"({"media": [{"density": {"type": "ball"}, "inside": 1}]})"),
+              StartsWith("dir/a.json: /media/0: unknown key 'inside'"));
+  EXPECT_THAT(scene_error(R"({"media": [{"type": "solid", "density": {"type": "ball"}}]})"),
+              StartsWith("dir/a.json: /media/0/type: unknown medium 'solid'; known: participating, liquid"));
+}
+
 TEST(SceneRefusals, RefusesBrokenRenderSettings) {
   expect_refused({
       {R"({"render": {"method": "x"}})", "/render/method: unknown method 'x'; known: auto, dda_nearest, dda_gauss2,"},
       {R"({"render": {"step": 0}})", "/render/step: expected a number > 0, got 0"},
+      {R"({"render": {"cutoff": 2}})", "/render/cutoff: expected a number in [0, 1], got 2"},
+      {R"({"render": {"shadow_of_glass": "dark"}})",
+       "/render/shadow_of_glass: unknown shadow of glass 'dark'; known: opaque, clear"},
       {R"({"render": {"max_depth": 65}})", "/render/max_depth: expected an integer in [0, 64], got 65"},
       {R"({"render": {"max_depth": -1}})", "/render/max_depth: expected an integer in [0, 64], got -1"},
       {R"({"render": {"seed": -1}})", "/render/seed: expected an integer in [0, 2147483647], got -1"},

@@ -54,7 +54,8 @@ TEST(SceneWriter, RefusesNamesThatAreNoText) {
 TEST(Families, NameEveryMemberOnce) {
   for (const Family* family :
        {&camera_family(), &light_family(), &falloff_family(), &material_family(), &texture_family(), &phase_family(),
-        &interpolation_family(), &method_family(), &shape_family(), &mesh_shading_family()})
+        &interpolation_family(), &method_family(), &shape_family(), &mesh_shading_family(), &medium_family(),
+        &liquid_model_family(), &presence_family()})
     for (std::size_t i = 0; i < family->size(); ++i) {
       EXPECT_EQ((*family)[i].id, static_cast<int>(i));
       EXPECT_EQ(family_find(*family, (*family)[i].name), &(*family)[i]);
@@ -80,6 +81,10 @@ TEST(SceneSchema, ListsEveryFamily) {
   };
   const nlohmann::json& lists = schema["definitions"];
   EXPECT_EQ(lists["falloff"]["enum"], names(falloff_family()));
+  const nlohmann::json& medium = lists["medium"]["properties"];
+  EXPECT_EQ(medium["type"]["enum"], names(medium_family()));
+  EXPECT_EQ(medium["model"]["enum"], names(liquid_model_family()));
+  EXPECT_EQ(medium["presence"]["enum"], names(presence_family()));
   EXPECT_EQ(lists["model"]["enum"], names(material_family()));
   EXPECT_EQ(lists["interpolation"]["enum"], names(interpolation_family()));
   EXPECT_EQ(lists["shading"]["enum"], names(mesh_shading_family()));

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -44,13 +45,13 @@ std::string refusal(const DensitySpec& spec) {
 }
 
 TEST(Generators, TheTableNamesThem) {
-  EXPECT_EQ(family_names(density_family()), "constant, linear, exponential, perlin, sphere, file");
+  EXPECT_EQ(family_names(density_family()), "constant, linear, exponential, perlin, sphere, ball, file");
   for (std::size_t i = 0; i < density_family().size(); ++i) EXPECT_EQ(density_family()[i].id, static_cast<int>(i));
   EXPECT_THAT(refusal(spec_of("fractal", ivec3(4))), AllOf(HasSubstr("'fractal'"), HasSubstr("constant, linear")));
 }
 
 TEST(Generators, FillTheirLatticeAndClamp) {
-  for (const char* type : {"constant", "linear", "exponential", "perlin"}) {
+  for (const char* type : {"constant", "linear", "exponential", "perlin", "ball"}) {
     const Grid grid = density_make(spec_of(type, {3, 7, 5}));
     EXPECT_EQ(grid.size(), ivec3(3, 7, 5));
     EXPECT_EQ(grid.border, Border::CLAMP);
@@ -158,6 +159,35 @@ TEST(Sphere, KeepsWhatLiesInTheInscribedEllipsoid) {
   EXPECT_EQ(cut.border, Border::CLAMP);
 }
 
+TEST(Generators, BallIsAPresence) {
+  DensitySpec spec = spec_of("ball", {20, 30, 40});
+  spec.radius = 0.5;
+  spec.ramp = 3;
+  expect_samples(density_make(spec), [](ivec3 i) {
+    const double x = (i.x + 0.5) / 10 - 1, y = (i.y + 0.5) / 15 - 1, z = (i.z + 0.5) / 20 - 1;
+    return std::clamp(0.5 - 10 * (std::sqrt(x * x + y * y + z * z) - 0.5) / 3, 0.0, 1.0);
+  });
+  for (double bad : {0.0, -1.0, double(NAN)}) {
+    spec.ramp = bad;
+    EXPECT_THAT(refusal(spec), HasSubstr("density 'ball': radius and ramp"));
+  }
+}
+
+TEST(Generators, PresenceIsWithinOne) {
+  DensitySpec spec = spec_of("constant", ivec3(20));
+  spec.value = 4;
+  EXPECT_EQ(density_make(spec).at(ivec3(19)), 4);
+  spec.presence = Presence::REFUSE;
+  EXPECT_THAT(refusal(spec), AllOf(HasSubstr("presence from 4 to 4"), HasSubstr("\"scale\""), HasSubstr("\"clamp\"")));
+  DensitySpec noise = spec_of("linear", ivec3(20));
+  noise.presence = Presence::REFUSE;
+  EXPECT_EQ(refusal(noise), "accepted");
+  for (Presence rule : {Presence::SCALE, Presence::CLAMP}) {
+    spec.presence = rule;
+    expect_samples(density_make(spec), [](ivec3) { return 1; });
+  }
+}
+
 TEST(Generators, RefuseWhatTheyCannotMake) {
   EXPECT_THAT(refusal(spec_of("linear", {4, 0, 4})),
               AllOf(HasSubstr("density 'linear': resolution"), HasSubstr("4x0x4")));
@@ -192,6 +222,10 @@ TEST(Generators, KeysTellDensitiesApart) {
       [](DensitySpec& s) { s.scale = 5; },
       [](DensitySpec& s) { s.octaves = 5; },
       [](DensitySpec& s) { s.seed = 2; },
+      [](DensitySpec& s) { s.radius = 0.5; },
+      [](DensitySpec& s) { s.ramp = 1; },
+      [](DensitySpec& s) { s.presence = Presence::REFUSE; },
+      [](DensitySpec& s) { s.presence = Presence::CLAMP; },
       [](DensitySpec& s) { s.file = "b.vdb"; },
       [](DensitySpec& s) { s.grid = "heat"; },
       [](DensitySpec& s) { s.values.fill = true; },

@@ -74,13 +74,13 @@ std::string frame_name(const std::string& text, int frame) {
 
 std::vector<int> frames_parse(const std::string& option, const std::string& text) {
   std::set<int> frames;
+  const auto refuse = [&](const std::string& cause) { throw InputError(option + cause + ", got '" + text + "'"); };
   std::istringstream parts(text + ",");
   for (std::string part; std::getline(parts, part, ',');) {
     const std::optional<Run> run = run_parse(part);
-    if (!run)
-      throw InputError(option + ": expected A-B, A-B:STEP or A with 0 <= A <= B, e.g. 1-60, got '" + text + "'");
+    if (!run) refuse(": expected A-B, A-B:STEP or A with 0 <= A <= B, e.g. 1-60");
     if (frames.size() + static_cast<std::size_t>((run->last - run->first) / run->step) >= FRAMES_MAX)
-      throw InputError(option + ": more than " + std::to_string(FRAMES_MAX) + " frames, got '" + text + "'");
+      refuse(": more than " + std::to_string(FRAMES_MAX) + " frames");
     for (long frame = run->first; frame <= run->last; frame += run->step) frames.insert(static_cast<int>(frame));
   }
   return {frames.begin(), frames.end()};

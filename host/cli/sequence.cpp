@@ -2,12 +2,12 @@
 #include "cli/sequence.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 #include <set>
 
 #include "base/atomic_file.hpp"
 #include "base/error.hpp"
+#include "base/foreign_lines.hpp"
 #include "base/interrupt.hpp"
 #include "base/text_printable.hpp"
 #include "cli/camera_file.hpp"
@@ -129,6 +129,7 @@ class Sequence {
       return !interrupt_requested();
     });
     if (!complete || !picture.measure()) throw Interrupted("");
+    report_.progress_clear();
     std::string failures;
     picture.write(true, failures);
     if (!failures.empty()) throw RuntimeError(failures);
@@ -165,12 +166,13 @@ int sequence_render(const RenderArguments& arguments) {
   outputs_check(arguments, scene, wanted.empty() ? frames.front() : wanted.front());
   scene_save(arguments, scene, frames.front());
   const std::vector<int> todo = frames_begin(arguments, scene, wanted, report);
+  const auto line = [](const std::string& text) { message_write(("brume: " + text_printable(text) + "\n").c_str()); };
   const InterruptRescue rescue([&] {
-    std::fprintf(stderr, "brume: %s\n", report.finished().c_str());
+    line(report.finished());
     try {
       report.stats_write();
     } catch (const std::exception& error) {
-      std::fprintf(stderr, "brume: %s\n", text_printable(error.what()).c_str());
+      line(error.what());
     }
   });
   try {

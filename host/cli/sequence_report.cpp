@@ -2,6 +2,7 @@
 #include "cli/sequence_report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 
@@ -149,7 +150,7 @@ std::string SequenceReport::summary() const {
                      std::to_string(rendered_.size()) + " rendered" + count_text(kept_.size(), "kept") +
                      count_text(failed_.size(), "left out");
   if (load_s_ > 0) {
-    const int hidden = static_cast<int>(100 * std::max(0.0, 1 - waited_s_ / load_s_) + 0.5);
+    const long hidden = std::lround(100 * std::max(0.0, 1 - waited_s_ / load_s_));
     text += "; after the first " + seconds_text(load_s_) + " of loading beside " + seconds_text(render_s_) +
             " of rendering, " + std::to_string(hidden) + " % of it hidden";
   }

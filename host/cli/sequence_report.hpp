@@ -26,6 +26,7 @@ class SequenceReport {
   // The same of all whose files are not there, in one line.
   void missing(const std::map<int, std::vector<std::filesystem::path>>& files);
   void progress(int frame, double share);  // of the frame that is rendered
+  void progress_clear() { bar_.clear(); }  // before anything else is printed
   void rendered(int frame, const std::string& stats_json, double waited_s);
   bool any_failed() const;
 

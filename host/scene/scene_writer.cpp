@@ -169,7 +169,10 @@ static_assert(METHOD_AUTO == -1 && SHADOW_AUTO == -1 && IN_SCATTERING_AUTO == -1
 Json auto_or_name(const Family& family, int id) { return id == METHOD_AUTO ? "auto" : family_name(family, id); }
 
 Json render_json(const RenderDesc& r) {
-  Json json{{"method", auto_or_name(method_family(), r.method)},
+  Json json{{"integrator", family_name(integrator_family(), r.integrator)},
+            {"directions", r.directions},
+            {"rotate", r.rotate},
+            {"method", auto_or_name(method_family(), r.method)},
             {"step", number(r.step)},
             {"tolerance", number(r.tolerance)},
             {"in_scattering", auto_or_name(in_scattering_family(), r.in_scattering)},
@@ -182,12 +185,7 @@ Json render_json(const RenderDesc& r) {
             {"max_depth", r.max_depth},
             {"cutoff", number(r.cutoff)},
             {"seed", r.seed}};
-  if (r.integrator == INTEGRATOR_AMBIENT_OCCLUSION) {
-    json["integrator"] = family_name(integrator_family(), r.integrator);
-    json["directions"] = r.directions;
-    if (r.distance) json["distance"] = number(*r.distance);
-    json["rotate"] = r.rotate;
-  }
+  if (r.distance) json["distance"] = number(*r.distance);
   if (r.light_picks != LIGHT_PICKS_AUTO) json["light_picks"] = r.light_picks;
   if (r.shadow_of_glass) json["shadow_of_glass"] = family_name(glass_shadow_family(), *r.shadow_of_glass);
   if (r.max_error) json["max_error"] = number(*r.max_error);

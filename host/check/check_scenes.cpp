@@ -33,9 +33,7 @@ constexpr SceneText SCENES[] = {
     {"type": "quad", "corner": [-1.5, -0.4, -1], "u": [3, 0, 0.2], "v": [0, 1.8, -0.1], "material": "image"},
     {"type": "box", "min": [-0.3, -0.3, -0.2], "max": [0.3, 0.3, 0.2],
      "transform": [{"rotate": [0, 1, 0.3, 35]}, {"translate": [-1, -0.1, 0.7]}], "material": "shiny"},
-    {"type": "isosurface", "density": {"type": "perlin", "resolution": [18, 25, 20], "scale": 3, "octaves": 2, "seed": 7}, "iso": 0.52,
-     "bounds": [[-0.5, -0.3, -0.4], [0.5, 0.3, 0.4]], "material": "shiny",
-     "transform": [{"rotate": [0, 0, 1, 30]}, {"scale": [1, 0.7, 1.1]}, {"rotate": [1, 0.3, 0, 20]}, {"translate": [0.5, 1.1, -0.3]}]}]})"},
+    {"type": "isosurface", "density": {"type": "perlin", "resolution": [18, 25, 20], "scale": 3, "octaves": 2, "seed": 7}, "iso": 0.52, "bounds": [[-0.5, -0.3, -0.4], [0.5, 0.3, 0.4]], "material": "shiny", "transform": [{"rotate": [0, 0, 1, 30]}, {"scale": [1, 0.7, 1.1]}, {"rotate": [1, 0.3, 0, 20]}, {"translate": [0.5, 1.1, -0.3]}]}]})"},
     {"mesh", R"({
   "camera": {"type": "orthographic", "eye": [1, 1.6, 3], "target": [0, 0, 0], "height": 2.6}, "film": {"spp": 2},
   "lights": [{"type": "directional", "direction": [-1, -2, -1], "irradiance": [2, 2, 2]},
@@ -215,10 +213,8 @@ constexpr SceneText SCENES[] = {
              "density": {"type": "perlin", "resolution": [40, 21, 38], "scale": 3, "octaves": 2, "seed": 4}}],
   "render": {"method": "adaptive", "tolerance": 0.01, "shadow": "grid", "light_grid": 12, "storage": "u8"}})"},
     {"adaptive_chosen", R"({
-  "camera": {"eye": [0.7, 0.9, 3.5], "target": [0, 0, 0], "vfov": 40},
-  "lights": [{"type": "directional", "direction": [-0.5, -1, -0.3], "irradiance": 4}, {"type": "point", "position": [0.2, 1.6, -0.6]}],
-  "media": [{"density": {"type": "sphere", "of": {"type": "perlin", "resolution": [21, 17, 26], "scale": 3, "octaves": 3, "seed": 7}},
-             "sigma_a": 0.5, "sigma_s": 9}],
+  "camera": {"eye": [0.7, 0.9, 3.5], "target": [0, 0, 0], "vfov": 40}, "lights": [{"type": "directional", "direction": [-0.5, -1, -0.3], "irradiance": 4}, {"type": "point", "position": [0.2, 1.6, -0.6]}],
+  "media": [{"density": {"type": "sphere", "of": {"type": "perlin", "resolution": [21, 17, 26], "scale": 3, "octaves": 3, "seed": 7}}, "sigma_a": 0.5, "sigma_s": 9}],
   "render": {"method": "adaptive", "tolerance": 0.0002, "light_samples": 1, "roulette": 0.3}})"},
     {"empty", R"({"background": [0.25, 0.5, 0.75], "film": {"spp": 5}})"},
 };
@@ -266,21 +262,22 @@ void torus_smooth(PlannedScene& scene) {
   });
 }
 
+std::vector<SceneText> scene_texts() {
+  std::vector<SceneText> all(std::begin(SCENES), std::end(SCENES));
+  for (const auto* more : {&liquid_scenes(), &glass_scenes()}) all.insert(all.end(), more->begin(), more->end());
+  return all;
+}
+
 }  // namespace
 
 std::vector<std::string> check_scene_names() {
   std::vector<std::string> names;
-  for (const SceneText& scene : SCENES) names.emplace_back(scene.name);
-  for (const SceneText& scene : liquid_scenes()) names.emplace_back(scene.name);
-  for (const SceneText& scene : glass_scenes()) names.emplace_back(scene.name);
+  for (const SceneText& scene : scene_texts()) names.emplace_back(scene.name);
   return names;
 }
 
 SceneDesc check_scene_desc(const std::string& name) {
-  std::vector<SceneText> all(std::begin(SCENES), std::end(SCENES));
-  all.insert(all.end(), liquid_scenes().begin(), liquid_scenes().end());
-  all.insert(all.end(), glass_scenes().begin(), glass_scenes().end());
-  for (const SceneText& scene : all) {
+  for (const SceneText& scene : scene_texts()) {
     if (name != scene.name) continue;
     SceneDesc desc = scene_read_text(scene.text, name + ".json", {});
     if (name == "mesh") torus_add(desc);

@@ -98,13 +98,13 @@ inline MediumRows medium_add_constant(PlannedScene& scene, const glm::dvec3& lo,
   placed.grid = -1;
   MediumBody body{};
   body.density = static_cast<int>(scene.placed.size());
-  body.glow = -1;
+  body.glow = body.liquid = -1;
   body.sigma_a = grey(sigma_a);
   body.sigma_s = grey(sigma_s);
   body.phase = PHASE_ISOTROPIC;
   scene.placed.push_back(placed);
   scene.media.push_back(body);
-  scene.walks.push_back({METHOD_HOMOGENEOUS, 0.25f, 0, -1, 0, 0, 0, 0, 0});
+  scene.walks.push_back({METHOD_HOMOGENEOUS, 0.25f, 0, -1, 0, 0, 0, 0, 0, 0});
   return {scene.placed.back(), scene.media.back(), scene.walks.back()};
 }
 

@@ -256,7 +256,7 @@ struct RenderDesc {
   int light_points = LIGHT_POINTS_STRATIFIED;
   double roulette = 0;  // transmittance below which view rays end at random; 0: never
   int max_depth = 5;
-  double cutoff = 1e-4;                // reflected and refracted rays that weigh less are dropped
+  double cutoff = 1e-5;                // reflected and refracted rays that weigh less are dropped
   std::optional<int> shadow_of_glass;  // opaque, but clear where a liquid is a surface
   int seed = 0;
   std::optional<double> max_error;    // settings of the media are chosen that reach it soonest, in error_metric,

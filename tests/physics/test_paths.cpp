@@ -11,7 +11,7 @@ namespace {
 
 // Quads of one material, `pairs` of them before and behind the camera, seen along their normal; the glow is what each
 // hit adds.
-std::string facing_mirrors(const std::string& material, int depth, int pairs = 1) {
+std::string facing_mirrors(const std::string& material, int depth, int pairs = 1, double cutoff = 0) {
   std::string shapes;
   for (int i = 1; i <= pairs; ++i)
     for (const int side : {-i, i})
@@ -19,7 +19,8 @@ std::string facing_mirrors(const std::string& material, int depth, int pairs = 1
                 std::to_string(side) + R"(], "u": [4, 0, 0], "v": [0, 4, 0], "material": "m"})";
   return R"({"camera": {"type": "orthographic", "eye": [0, 0, 0], "target": [0, 0, -1], "height": 1}, "film": {"size": [2, 2]},
     "materials": {"m": {"diffuse": 0, "emission": 1, )" +
-         material + R"(}}, "shapes": [)" + shapes + R"(], "render": {"max_depth": )" + std::to_string(depth) + "}}";
+         material + R"(}}, "shapes": [)" + shapes + R"(], "render": {"cutoff": )" +
+         std::to_string(cutoff) + R"(, "max_depth": )" + std::to_string(depth) + "}}";
 }
 
 struct Pixel {
@@ -61,6 +62,15 @@ TEST(Paths, DepthEndsThemFirst) {
   EXPECT_NEAR(kernel.radiance, 1 + 0.5 + 0.25 + 0.125, 1e-6);
   EXPECT_EQ(kernel.rays, 3);
   EXPECT_EQ(kernel.dropped, 0);
+}
+
+TEST(Paths, WeakRaysAreDroppedAndCounted) {
+  const std::string scene = facing_mirrors(R"("reflection": 0.5)", 64, 1, 0.1);
+  const Pixel kernel = kernel_pixel(scene, 8);
+  EXPECT_NEAR(kernel.radiance, 1 + 0.5 + 0.25 + 0.125, 1e-6);
+  EXPECT_EQ(kernel.rays, 3);
+  EXPECT_NEAR(kernel.dropped, 0.0625, 1e-7);
+  EXPECT_NEAR(reference_pixel(scene).radiance.y, 1.875, 1e-12);
 }
 
 TEST(Paths, ATreeWithoutEndEnds) {

@@ -73,6 +73,7 @@ std::optional<OrderExpected> order_expected(int method) {
   if (row.placement != PLACEMENT_STEPS) return std::nullopt;
   // Places drawn step by step: n independent errors of d² each leave d² √n = d^1.5.
   if (row.draws == DRAWS_PLACES) return OrderExpected{"step", 1.5};
+  if (row.rule == RULE_LINEAR) return OrderExpected{"step", 1};  // rays that touch a boundary are a share of all
   return OrderExpected{"step", row.share == 0.5f ? 2.0 : 1.0};
 }
 

@@ -22,6 +22,12 @@ SceneDesc described(const std::string& render) {
                          "plans.json", {});
 }
 
+double items_of(const Renderer& renderer, const std::string& name) {
+  for (const PassStats& pass : renderer.stats().passes)
+    if (pass.name == name) return pass.items;
+  return 0;
+}
+
 Film rendered(Renderer&& renderer, const RenderPlan& plan) {
   Film film({plan.frame.camera.width, plan.frame.camera.height});
   EXPECT_TRUE(renderer.render(film, [](double) { return true; }));
@@ -68,13 +74,40 @@ TEST(Plans, TakeOnlyWhatIsTheirOwn) {
   EXPECT_EQ(loaded.costs().size(), 1u);
 }
 
+// Gradients of liquids are those of the scene, in each storage: the first plan computes them for all.
+TEST(Plans, ComputeGradientsOnce) {
+  Context context(device_choose("portable computing language"));
+  const auto water = [](const std::string& render) {
+    return scene_read_text(R"({"film": {"size": [24, 16]}, "camera": {"eye": [1, 1, 4]},
+      "lights": [{"type": "directional", "direction": [-0.3, -1, -0.4], "irradiance": 9}],
+      "media": [{"type": "liquid", "density": {"type": "ball"}, "sigma_a": 1}], "render": {)" +
+                               render + "}}",
+                           "water.json", {});
+  };
+  LoadedScene loaded;
+  const FlatScene flat = scene_flatten(water(""), loaded, bvh_width_for(LANES));
+  const auto device = std::make_shared<DeviceScene>(context, flat);
+  for (const char* storage : {"f32", "f16", "u8"})
+    for (const char* step : {"0.05", "0.02"}) {
+      const SceneDesc desc = water(std::string(R"("storage": ")") + storage + R"(", "step": )" + step);
+      const RenderPlan plan = plan_render(desc, flat, {});
+      Renderer renderer(context, device, plan, {LANES, false, 0});
+      Film shared({24, 16});
+      EXPECT_TRUE(renderer.render(shared, [](double) { return true; }));
+      EXPECT_EQ(items_of(renderer, "presence_gradients") > 0, step == std::string("0.05")) << storage;
+      const Film alone = render_film(context, flatten(desc, {bvh_width_for(LANES), {}}), LANES);
+      for (std::size_t i = 0; i < alone.pixels().size(); ++i)
+        ASSERT_EQ(shared.pixels()[i].radiance.y, alone.pixels()[i].radiance.y) << storage << " " << step;
+    }
+}
+
 // What a light grid holds depends on the plan alone: a second render, and one that goes on, find it filled.
 TEST(Plans, FillTheirLightGridsOnce) {
   Context context(device_choose("portable computing language"));
   const PlannedScene scene =
       flatten(described(R"("shadow": "grid", "light_grid": 16)"), {bvh_width_for(LANES), {}, false});
   Renderer renderer(context, scene, {LANES, false, 0});
-  const auto points = [&] { return renderer.stats().passes.at(0).items; };
+  const auto points = [&] { return items_of(renderer, "light_grid"); };
   double all = 0;
   for (const LightGrid& grid : scene.light_grids)
     all += double(grid.columns_u) * grid.columns_v * (grid.column_step > 0 ? 1 : grid.nk);

@@ -19,8 +19,8 @@ std::string facing_mirrors(const std::string& material, int depth, int pairs = 1
                 std::to_string(side) + R"(], "u": [4, 0, 0], "v": [0, 4, 0], "material": "m"})";
   return R"({"camera": {"type": "orthographic", "eye": [0, 0, 0], "target": [0, 0, -1], "height": 1}, "film": {"size": [2, 2]},
     "materials": {"m": {"diffuse": 0, "emission": 1, )" +
-         material + R"(}}, "shapes": [)" + shapes + R"(], "render": {"cutoff": )" +
-         std::to_string(cutoff) + R"(, "max_depth": )" + std::to_string(depth) + "}}";
+         material + R"(}}, "shapes": [)" + shapes + R"(], "render": {"cutoff": )" + std::to_string(cutoff) +
+         R"(, "max_depth": )" + std::to_string(depth) + "}}";
 }
 
 struct Pixel {

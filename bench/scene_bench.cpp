@@ -13,7 +13,11 @@ namespace brume::bench {
 
 namespace {
 
-constexpr const char* SCENES[] = {"dam_break_local"};
+struct SceneRow {
+  const char *name, *file, *override;
+};
+constexpr SceneRow SCENES[] = {{"dam_break_local", "dam_break_local", ""},
+                               {"dam_break_local/water_alone", "dam_break_local", "/shapes=[]"}};
 constexpr double FINER = 16;  // steps of the picture that the error is against
 
 Film rendered(Renderer& renderer, glm::ivec2 size) {
@@ -33,9 +37,11 @@ Film converged(Context& context, SceneDesc desc, int lanes) {
 
 std::vector<SceneCase> scene_cases() {
   std::vector<SceneCase> cases;
-  for (const char* name : SCENES) {
-    const std::filesystem::path file = std::filesystem::path("scenes") / (std::string(name) + ".json");
-    if (std::filesystem::exists(file)) cases.push_back({name, file});
+  for (const SceneRow& row : SCENES) {
+    const std::filesystem::path file = std::filesystem::path("scenes") / (std::string(row.file) + ".json");
+    const std::string change = row.override;
+    if (!std::filesystem::exists(file)) continue;
+    cases.push_back({row.name, file, change.empty() ? std::vector<std::string>{} : std::vector{change}});
   }
   return cases;
 }
@@ -43,7 +49,7 @@ std::vector<SceneCase> scene_cases() {
 void scene_benchmark(::benchmark::State& state, const DeviceInfo& device, const SceneCase& scene, glm::ivec2 size) {
   Context context(device);
   const int lanes = lanes_choose(context.device(), 0);
-  SceneDesc desc = scene_read(scene.file, {});
+  SceneDesc desc = scene_read(scene.file, scene.overrides);
   desc.film.size = size;
   const PlannedScene planned = flatten(desc, {bvh_width_for(lanes), {}});
   Film film({0, 0});

@@ -14,6 +14,7 @@ namespace brume::bench {
 struct SceneCase {
   std::string name;
   std::filesystem::path file;
+  std::vector<std::string> overrides;
 };
 // Those that are there, from the folder of the source.
 std::vector<SceneCase> scene_cases();

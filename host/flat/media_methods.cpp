@@ -37,9 +37,12 @@ int method_exact(const MediumDesc& m) {
 std::string method_name(int method) { return std::string(family_name(method_family(), method)); }
 
 [[noreturn]] void refuse_method(const SceneDesc& desc, const std::string& place, int method, const MediumDesc& m) {
+  const std::string kind = m.type == MEDIUM_LIQUID
+                               ? "presence"
+                               : std::string(family_name(interpolation_family(), m.interpolation)) + " density";
   throw InputError(desc.file.string() + ": " + place + "/method: '" + method_name(method) + "' does not fit the " +
-                   std::string(family_name(interpolation_family(), m.interpolation)) + " density '" + m.density.type +
-                   "' of " + m.place + "; these do: " + methods_that_fit(medium_fits(m)));
+                   kind + " '" + m.density.type + "' of " + m.place +
+                   "; these do: " + methods_that_fit(medium_fits(m)));
 }
 
 // A grid of depths to the lights is for what scatters, and not for methods whose collisions differ from run to run of a

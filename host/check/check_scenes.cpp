@@ -44,13 +44,13 @@ void torus_add(SceneDesc& desc) {
   });
 }
 
-// Smooth normals for three quarters of the torus; the rest stays flat.
+// Smooth normals for half of the torus and light of corners for a quarter; the rest stays flat.
 void torus_smooth(PlannedScene& scene) {
   std::size_t index = 0;
   torus_triangles([&](int i, int j, const int(&corners)[3][2]) {
     Triangle& t = scene.triangles[index++];
     if (4 * i < TORUS_AROUND) return;
-    t.shading = TRIANGLE_PHONG;
+    t.shading = 4 * i < 2 * TORUS_AROUND ? TRIANGLE_GOURAUD : TRIANGLE_PHONG;
     for (int k = 0; k < 3; ++k) {
       const dvec3 n = torus_normal(i + corners[k][0], j + corners[k][1]);
       t.n[k] = {static_cast<float>(n.x), static_cast<float>(n.y), static_cast<float>(n.z)};

@@ -58,7 +58,7 @@ constexpr SceneText SURFACE_SCENES[] = {
              {"type": "sphere", "center": [0.52, 0, 0], "radius": 0.5, "material": "glass"}],
   "render": {"max_depth": 30}})"},
     {"area_lights", R"({
-  "camera": {"eye": [0.6, 1.5, 3.6], "target": [0, 0, 0], "vfov": 42}, "film": {"spp": 2}, "background": [0.05, 0.05, 0.1],
+  "camera": {"eye": [0.6, 1.5, 3.6], "target": [0, 0, 0], "vfov": 42}, "background": [0.05, 0.05, 0.1],
   "materials": {
     "grey": {"model": "blinn_phong", "diffuse": [0.6, 0.6, 0.6], "specular": [0.3, 0.3, 0.3], "shininess": 20},
     "warm": {"diffuse": 0.2, "emission": [6, 4, 2]}, "cold": {"diffuse": 0, "emission": [1, 2, 3]}},
@@ -72,7 +72,7 @@ constexpr SceneText SURFACE_SCENES[] = {
     {"type": "sphere", "center": [0.1, 0, 0], "radius": 0.35, "material": "grey"},
     {"type": "quad", "corner": [-2, -0.8, -2], "u": [0, 0, 4], "v": [4, 0, 0], "material": "grey"}],
   "media": [{"density": {"type": "perlin", "resolution": [12, 11, 12], "scale": 3}, "sigma_a": 0.2, "sigma_s": 1.5}],
-  "render": {"light_samples": 3}})"},
+  "render": {"light_samples": 2}})"},
     {"area_centroid", R"({
   "camera": {"eye": [0.6, 1.5, 3.6], "target": [0, 0, 0], "vfov": 42}, "background": [0.05, 0.05, 0.1],
   "lights": [{"type": "directional", "direction": [0.3, -1, -0.4], "irradiance": 0.2}],

@@ -104,7 +104,7 @@ Mesh mesh_of(const TriangleDesc& t) {
 Mesh mesh_load(const MeshDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes) {
   Mesh mesh = *loaded.mesh(desc.file);
   for (const std::string& note : mesh.notes) note_once(notes, note);  // of a mesh that several shapes show
-  if (desc.shading == MeshShading::PHONG) mesh_complete_normals(mesh, desc.crease);
+  if (desc.shading != MeshShading::FLAT) mesh_complete_normals(mesh, desc.crease);
   const dmat4 m = transform_matrix(desc.transform);
   const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(m)));
   for (dvec3& p : mesh.positions) p = transform_point(m, p);
@@ -112,18 +112,19 @@ Mesh mesh_load(const MeshDesc& desc, LoadedScene& loaded, std::vector<std::strin
   return mesh;
 }
 
-bool smooth(const ShapeDesc& shape) {
+int shading_of(const ShapeDesc& shape) {
   const auto* mesh = std::get_if<MeshDesc>(&shape.geometry);
-  return mesh && mesh->shading == MeshShading::PHONG;
+  if (!mesh || mesh->shading == MeshShading::FLAT) return TRIANGLE_FLAT;
+  return mesh->shading == MeshShading::PHONG ? TRIANGLE_PHONG : TRIANGLE_GOURAUD;
 }
 
-Triangle triangle_flatten(const Mesh& mesh, const MeshTriangle& t, bool phong, int material, const FlatScene& scene) {
+Triangle triangle_flatten(const Mesh& mesh, const MeshTriangle& t, int shading, int material, const FlatScene& scene) {
   Triangle out{};
   out.material = material;
-  out.shading = phong ? TRIANGLE_PHONG : TRIANGLE_FLAT;
+  out.shading = shading;
   for (int k = 0; k < 3; ++k) {
     out.p[k] = packed(scene.point(mesh.positions[t.position[k]]));
-    if (phong) out.n[k] = packed(mesh.normals[t.normal[k]]);
+    if (shading != TRIANGLE_FLAT) out.n[k] = packed(mesh.normals[t.normal[k]]);
     if (t.uv[k] < 0) continue;
     out.uv[2 * k] = static_cast<float>(mesh.uvs[t.uv[k]].x);
     out.uv[2 * k + 1] = static_cast<float>(mesh.uvs[t.uv[k]].y);
@@ -175,7 +176,8 @@ void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene) {
     const auto& [desc, mesh] = shapes.meshes[i];
     for (const MeshTriangle& t : mesh.triangles) {
       const int own = t.material >= 0 ? shapes.first_material[i] + t.material : shapes.default_material;
-      const Triangle flat = triangle_flatten(mesh, t, smooth(*desc), desc->material >= 0 ? desc->material : own, scene);
+      const Triangle flat =
+          triangle_flatten(mesh, t, shading_of(*desc), desc->material >= 0 ? desc->material : own, scene);
       if (has_area(flat)) {
         scene.triangles.push_back(flat);
       } else {

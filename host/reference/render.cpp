@@ -46,6 +46,17 @@ Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& 
   return lit;
 }
 
+Lit corners_light(const Context& context, const SurfaceD& surface, const HitD& hit, const dvec3& view_dir,
+                  const dvec3& weight, const RandomStream& random, double& lookups) {
+  Lit all{dvec3(0)};
+  for (const auto& [corner, share] : surface_corners(context.scene, surface, hit)) {
+    const Lit lit = surface_light(context, corner, view_dir, weight, random, lookups);
+    all.radiance += share * lit.radiance;
+    all.lights |= lit.lights;
+  }
+  return all;
+}
+
 Lit lit_by_sky(const Context& context, const SurfaceD& surface, const RandomStream& random) {
   const Sky sky = ambient_occlusion(context, surface, random);
   return {dvec3(sky.open), sky.seen};
@@ -200,7 +211,7 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
   const Lit lit =
       scene.frame.directions > 0
           ? lit_by_sky(context, surface, random)
-          : surface_light(context, surface, ray.dir, path.weight * sample.transmittance, random, sample.lookups);
+          : corners_light(context, surface, hit, ray.dir, path.weight * sample.transmittance, random, sample.lookups);
   sample.normal = surface.normal;
   sample.depth = hit.t;
   sample.hits = 1;

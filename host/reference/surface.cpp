@@ -78,7 +78,7 @@ Geometry triangle_geometry(const Triangle& triangle, double u, double v) {
   const dvec3 geometric = vec_unit(glm::cross(vec_promote(triangle.p[1]) - p0, vec_promote(triangle.p[2]) - p0));
   const dvec3 smooth = w * vec_promote(triangle.n[0]) + u * vec_promote(triangle.n[1]) + v * vec_promote(triangle.n[2]);
   const float* uv = triangle.uv;
-  return {geometric, triangle.shading == TRIANGLE_PHONG ? vec_unit(smooth) : geometric,
+  return {geometric, triangle.shading == TRIANGLE_FLAT ? geometric : vec_unit(smooth),
           w * dvec2(uv[0], uv[1]) + u * dvec2(uv[2], uv[3]) + v * dvec2(uv[4], uv[5])};
 }
 
@@ -169,6 +169,23 @@ SurfaceD surface_at(const PlannedScene& scene, const RayD& ray, const HitD& hit)
   const dvec3 size = glm::abs(surface.point);
   surface.ray_epsilon = 0x1p-17 * std::max({size.x, size.y, size.z, hit.t});
   return surface;
+}
+
+std::vector<CornerD> surface_corners(const PlannedScene& scene, const SurfaceD& surface, const HitD& hit) {
+  if (hit.primitive < FIRST_TRIANGLE) return {{surface, 1}};
+  const Triangle& triangle = scene.triangles[static_cast<std::size_t>(hit.primitive - FIRST_TRIANGLE)];
+  if (triangle.shading != TRIANGLE_GOURAUD) return {{surface, 1}};
+  const double shares[3] = {1 - hit.u - hit.v, hit.u, hit.v};
+  std::vector<CornerD> corners;
+  for (int k = 0; k < 3; ++k) {
+    corners.push_back({surface, shares[k]});
+    SurfaceD& corner = corners.back().surface;
+    corner.point = vec_promote(triangle.p[k]);
+    corner.normal = (surface.leaving ? -1.0 : 1.0) * vec_promote(triangle.n[k]);
+    const dvec3 size = glm::abs(corner.point);
+    corner.ray_epsilon = 0x1p-17 * std::max({size.x, size.y, size.z, hit.t});
+  }
+  return corners;
 }
 
 dvec3 surface_leave(const SurfaceD& surface, const dvec3& dir) {

@@ -22,6 +22,14 @@ struct SurfaceD {
 // `hit` must be a hit of `ray`, not a miss.
 SurfaceD surface_at(const PlannedScene& scene, const RayD& ray, const HitD& hit);
 
+// Where the light of a hit is asked for, and what each counts: there, or of a triangle that blends the light of its
+// corners [Gouraud71] at these, with the colours of the hit.
+struct CornerD {
+  SurfaceD surface;
+  double share;
+};
+std::vector<CornerD> surface_corners(const PlannedScene& scene, const SurfaceD& surface, const HitD& hit);
+
 // Origin of a ray that leaves the surface in direction `dir`.
 dvec3 surface_leave(const SurfaceD& surface, const dvec3& dir);
 

@@ -53,6 +53,7 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
       {"PHASES_USED", phases, all_bits(PHASE_COUNT), "phase functions"},
       {"SHAPES_USED", shapes, all_bits(SHAPE_COUNT), "shapes"},
       {"TRIANGLES", !s.triangles.empty(), 1, "triangles"},
+      {"GOURAUD", scene_blends_light(s), 1, "light of corners"},
       {"TEXTURED", !s.textures.empty(), 1, "textures"},
       {"SPECULAR", scene_is_specular(s), 1, "mirrors and glass"},
       {"AMBIENT_OCCLUSION", plan.frame.directions > 0, 1, "ambient occlusion"},
@@ -65,6 +66,11 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
 
 std::string option_text(const char* name, unsigned value) {
   return std::string(" -DBRUME_") + name + "=" + std::to_string(value);
+}
+
+bool scene_blends_light(const FlatScene& scene) {
+  return std::any_of(scene.triangles.begin(), scene.triangles.end(),
+                     [](const Triangle& t) { return t.shading == TRIANGLE_GOURAUD; });
 }
 
 bool scene_is_specular(const FlatScene& scene) {

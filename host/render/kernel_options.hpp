@@ -21,6 +21,7 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& scene, const Ren
 std::string option_text(const char* name, unsigned value);
 
 // Some material reflects or refracts.
+bool scene_blends_light(const FlatScene& scene);
 bool scene_is_specular(const FlatScene& scene);
 
 // Options for kernels specialised to a plan of `scene`; `generic`: every feature on, as for any scene.

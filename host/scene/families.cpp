@@ -91,8 +91,10 @@ const Family& shape_family() {
 }
 
 const Family& mesh_shading_family() {
-  static const Family rows{{static_cast<int>(MeshShading::FLAT), "flat", "one normal per triangle"},
-                           {static_cast<int>(MeshShading::PHONG), "phong", "normals blended over the triangle"}};
+  static const Family rows{
+      {static_cast<int>(MeshShading::FLAT), "flat", "one normal per triangle"},
+      {static_cast<int>(MeshShading::PHONG), "phong", "normals blended over the triangle"},
+      {static_cast<int>(MeshShading::GOURAUD), "gouraud", "light of the vertices blended over the triangle"}};
   return rows;
 }
 

@@ -35,9 +35,6 @@ void apply_override(nlohmann::json& scene, const std::string& text);
 // `file` and `place` of `at` for the message.
 void apply_frame(nlohmann::json& at, int frame, const std::string& file, const std::string& place);
 
-// Fails where a key of a mesh asks for something that the scene language names but this version cannot do.
-void refuse_reserved(const JsonValue& mesh);
-
 // Too short to have a direction, or not even finite.
 bool is_zero(const dvec3& v);
 

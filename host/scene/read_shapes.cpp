@@ -78,7 +78,6 @@ Geometry read_triangle(const JsonValue& s, const Folder&) {
 Geometry read_mesh(const JsonValue& s, const Folder& folder) {
   MeshDesc out;
   out.file = read_path(s.get("file"), folder);
-  refuse_reserved(s);
   out.shading =
       static_cast<MeshShading>(s.member("shading", static_cast<int>(out.shading), mesh_shading_family(), "shading"));
   if (s.has("crease")) out.crease = s.get("crease").as_number(Range::closed(0, 180));

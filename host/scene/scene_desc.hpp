@@ -104,7 +104,7 @@ struct BoxDesc {
 struct TriangleDesc {
   std::array<dvec3, 3> vertices;
 };
-enum class MeshShading { FLAT, PHONG };
+enum class MeshShading { FLAT, PHONG, GOURAUD };
 struct MeshDesc {
   std::filesystem::path file;
   MeshShading shading = MeshShading::PHONG;

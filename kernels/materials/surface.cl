@@ -54,6 +54,18 @@ static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* 
   return s;
 }
 
+#if BRUME_GOURAUD && BRUME_TRIANGLES
+// Corner k of the triangle that was hit, as a surface of its own with the texture of the hit; *share: what it counts.
+static inline Surface surface_corner(const Triangle* t, const Hit* hit, const Surface* surface, int k, float* share) {
+  Surface s = *surface;
+  s.point = vec_unpack(t->p[k]);
+  s.normal = vec_unpack(t->n[k]) * (s.leaving ? -1.0f : 1.0f);
+  s.epsilon = 0x1p-17f * fmax(vec_max_abs(s.point), hit->t);
+  *share = k == 0 ? 1.0f - hit->u - hit->v : (k == 1 ? hit->u : hit->v);
+  return s;
+}
+#endif
+
 // Start of a ray that leaves the surface in direction dir.
 static inline float3 surface_leave(const Surface* s, float3 dir) {
   return s->point + s->geometric_normal * (dot(s->geometric_normal, dir) < 0.0f ? -s->epsilon : s->epsilon);

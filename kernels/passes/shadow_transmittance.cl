@@ -20,8 +20,8 @@ OUTLINED SurfaceResult surface_result(const Scene* scene, const Ray* ray, const 
   }
 #endif
   const float3 weight = vec_unpack(ray->weight) * transmittance;
-  result.radiance =
-      vec_pack(surface_lights(scene, &surface, &material, -vec_unpack(ray->dir), weight, ray_random(ray), &result));
+  result.radiance = vec_pack(
+      surface_lights(scene, &surface, hit, &material, -vec_unpack(ray->dir), weight, ray_random(ray), &result));
 #if BRUME_SPECULAR
   if (sends) rays_send(scene, ray, &surface, &material, weight, sent, &result);
 #endif

@@ -25,8 +25,9 @@ static inline float3 surface_light(const Scene* scene, const Surface* surface, c
   return pick.weight * light.irradiance * passes * transmittance * scattered;
 }
 
-static inline float3 surface_lights(const Scene* scene, const Surface* surface, const Material* material,
-                                    float3 to_viewer, float3 weight, Random random, SurfaceResult* result) {
+// Its own light and what it scatters of all lights that are asked.
+static inline float3 surface_sends(const Scene* scene, const Surface* surface, const Material* material,
+                                   float3 to_viewer, float3 weight, Random random, SurfaceResult* result) {
   uint second;
   const float3 diffuse = texture_times(scene, material->diffuse, material->texture, surface->uv, &result->second);
   float3 sum = texture_times(scene, material->emission, material->emission_texture, surface->uv, &second) +
@@ -37,6 +38,30 @@ static inline float3 surface_lights(const Scene* scene, const Surface* surface, 
     sum += surface_light(scene, surface, material, diffuse, to_viewer, weight, light_choose(scene, n, xi), n, random,
                          result);
   return sum;
+}
+
+// Of a triangle that blends the light of its corners [Gouraud71], theirs.
+static inline float3 surface_lights(const Scene* scene, const Surface* surface, const Hit* hit,
+                                    const Material* material, float3 to_viewer, float3 weight, Random random,
+                                    SurfaceResult* result) {
+#if BRUME_GOURAUD && BRUME_TRIANGLES
+  Triangle triangle;
+  int corners = 1;
+  if (hit->primitive >= FIRST_TRIANGLE) {
+    triangle = scene->triangles[hit->primitive - FIRST_TRIANGLE];
+    if (triangle.shading == TRIANGLE_GOURAUD) corners = 3;
+  }
+  float3 sum = (float3)(0.0f);
+  for (int k = 0; k < corners; ++k) {
+    float share = 1.0f;
+    const Surface at = corners == 1 ? *surface : surface_corner(&triangle, hit, surface, k, &share);
+    sum += share * surface_sends(scene, &at, material, to_viewer, weight, random, result);
+  }
+  return sum;
+#else
+  (void)hit;
+  return surface_sends(scene, surface, material, to_viewer, weight, random, result);
+#endif
 }
 
 #endif

@@ -65,7 +65,8 @@ BRUME_LAYOUT(Isosurface, 108);
 // Bit (z * 8 + y) * 8 + x of a brick's mask: its cell (x, y, z) may hold iso, however the voxels are stored.
 #define ISO_MASK_WORDS 16
 
-enum TriangleShading { TRIANGLE_FLAT, TRIANGLE_PHONG };
+// One normal; normals blended over it; the light of its corners blended.
+enum TriangleShading { TRIANGLE_FLAT, TRIANGLE_PHONG, TRIANGLE_GOURAUD };
 
 // World-space triangle; the hit is (1-u-v) p0 + u p1 + v p2. Normals are unit; unused for TRIANGLE_FLAT.
 typedef struct {

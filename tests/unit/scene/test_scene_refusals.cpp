@@ -275,8 +275,8 @@ TEST(SceneRefusals, RefusesWhatIsOutOfRangeOrStillToCome) {
       {R"({"materials": {"m": {"reflection": 1.5}}})", "/materials/m/reflection: expected a number in [0, 1]"},
       {R"({"materials": {"m": {"refraction": -1}}})", "/materials/m/refraction: expected a number in [0, 1]"},
       {R"({"media": [{"density": {"type": "constant"}, "emission": [0, -1, 0]}]})", "/media/0/emission"},
-      {R"({"shapes": [{"type": "mesh", "file": "a.obj", "shading": "gouraud"}]})",
-       "/shapes/0/shading: not available in this version; allowed: \"flat\", \"phong\", got \"gouraud\""},
+      {R"({"shapes": [{"type": "mesh", "file": "a.obj", "shading": "toon"}]})",
+       "/shapes/0/shading: unknown shading 'toon'; known: flat, phong, gouraud"},
   });
   EXPECT_EQ(scene_error(R"({"render": {"in_scattering": "segment", "shadow": "auto", "max_error": null},
                          "materials": {"m": {"reflection": 0.5, "refraction": 1}},

@@ -81,7 +81,7 @@ const std::vector<SceneText>& liquid_scenes() {
   "lights": [{"type": "directional", "direction": [-0.5, -1, -0.6], "irradiance": [6, 5, 4]}],
   "media": [{"type": "liquid", "density": {"type": "ball", "resolution": [23, 20, 21], "radius": 0.6}, "sigma_a": [2, 1, 0.5]},
             {"density": {"type": "perlin", "resolution": [13, 12, 12], "scale": 2, "seed": 5}, "sigma_a": 0.2, "sigma_s": [2, 1, 0.5]}],
-  "render": {"step": 0.03, "method": "adaptive", "tolerance": 0.00005}})"},
+  "render": {"step": 0.03, "method": "adaptive", "tolerance": 0.000001}})"},
       {"liquid_tracked", R"({
   "camera": {"eye": [1.5, 1.2, 3], "vfov": 40}, "background": [0.2, 0.3, 0.5],
   "lights": [{"type": "directional", "direction": [-0.5, -1, -0.6], "irradiance": [6, 5, 4]}],

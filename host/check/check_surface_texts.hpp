@@ -16,7 +16,7 @@ constexpr SceneText SURFACE_SCENES[] = {
   "materials": {
     "image": {"model": "blinn_phong", "diffuse": [0.8, 0.7, 0.6], "specular": [0.3, 0.3, 0.3], "shininess": 40, "ambient": [0.5, 0.5, 0.5]},
     "checker": {"diffuse": [1, 1, 1], "texture": {"type": "checker", "colors": [[0.8, 0.8, 0.8], [0.2, 0.3, 0.2]], "scale": 2}},
-    "shiny": {"model": "phong", "diffuse": [0.3, 0.3, 0.5], "specular": [0.4, 0.4, 0.4], "shininess": 20, "emission": [0.2, 0.1, 0]}},
+    "shiny": {"model": "phong", "diffuse": [0.3, 0.3, 0.5], "specular": [0.4, 0.4, 0.4], "shininess": 20, "emission": [0.2, 0.1, 0], "light": false}},
   "shapes": [
     {"type": "sphere", "center": [-0.2, 0.1, 0.1], "radius": 0.55, "material": "image"},
     {"type": "cylinder", "base": [0.8, -0.45, 0.2], "top": [0.95, 0.4, 0], "radius": 0.25, "material": "shiny"},

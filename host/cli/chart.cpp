@@ -67,7 +67,7 @@ int chart_command_run(const ChartArguments& arguments, const ChartPeers& peers) 
   const ChartIdentity identity = identity_of(scene, device.title(), options, VERSION);
   const ChartFolder folder(arguments.folder, identity, arguments.overwrite);
   if (request.methods.empty())
-    say("note: the scene has no media, no method has anything to do: samples per pixel are charted");
+    say("note: the scene has no media that are walked, no method has anything to do: samples per pixel are charted");
   for (const std::string& note : scene.exact_scene(desc.film.spp).all_notes()) say("note: " + note);
 
   Chart chart;

@@ -48,7 +48,7 @@ SceneDesc picture_for_goal(const RenderArguments& arguments, const SceneDesc& de
   const std::vector<int> wanted = arguments.method == "auto" ? std::vector<int>{} : methods_parse(arguments.method);
   const std::vector<int> methods = methods_fitting(desc, wanted);
   if (methods.empty()) {
-    notes.push_back("the scene has no media, there is nothing to choose for max_error or time_budget");
+    notes.push_back("the scene has no media that are walked, there is nothing to choose for max_error or time_budget");
     return desc;
   }
   // One program for all candidates, whatever they need.

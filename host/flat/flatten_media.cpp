@@ -195,6 +195,8 @@ FlatDensity density_once(const LoadedMedium& loaded, bool needed_again, FlatGrid
   return known != grids.end() ? known->second : grids[key] = density_flatten(loaded, needed_again, scene);
 }
 
+constexpr double ISO_MARGIN = 1e-4;  // of the largest density
+
 void isosurface_flatten(const LoadedIsosurface& loaded, bool needed_again, FlatGrids& grids, FlatScene& scene) {
   const FlatDensity density = density_once(loaded.placed, needed_again, grids, scene);
   const double largest = density.largest * density.unit;
@@ -202,6 +204,11 @@ void isosurface_flatten(const LoadedIsosurface& loaded, bool needed_again, FlatG
     throw InputError(loaded.place + "/iso: " + number_text(loaded.iso) +
                      " is nowhere exceeded, the densities of the grid reach from 0 to " + number_text(largest) +
                      "; expected 0 < iso < " + number_text(largest));
+  if (!(loaded.iso >= ISO_MARGIN * largest && loaded.iso <= (1 - ISO_MARGIN) * largest))
+    throw InputError(loaded.place + "/iso: " + number_text(loaded.iso) +
+                     " is so close to an end of the densities, 0 to " + number_text(largest) +
+                     ", that single precision cannot tell where it is; expected " + number_text(ISO_MARGIN * largest) +
+                     " to " + number_text((1 - ISO_MARGIN) * largest));
   const Medium& m = density.medium;
   const float iso = static_cast<float>(loaded.iso / density.unit);
   scene.isosurfaces.push_back({affine(cells_from_flat(loaded.placed, scene)), m.lo, iso, m.hi, m.brick_offset,
@@ -213,6 +220,11 @@ void medium_flatten(const LoadedMedium& loaded, bool needed_again, FlatGrids& gr
   const FlatDensity density = density_once(loaded, needed_again, grids, scene);
   MediumBody body = body_flatten(loaded, density_place(density, loaded, scene), scene.unit * density.unit);
   body.liquid = liquid_flatten(loaded, density.gradients, scene);
+  const double largest = density.largest * density.unit;
+  if (body.liquid >= 0 && largest < loaded.desc->liquid.outside)
+    note_once(scene.notes, loaded.desc->place + ": the presence reaches " + number_text(largest) +
+                               ", nowhere `outside`, " + number_text(loaded.desc->liquid.outside) +
+                               ": the liquid is not seen");
   scene.media.push_back(body);
   scene.sizes.push_back({loaded.desc->place, medium_longest(loaded) / scene.unit, density.largest});
 }

@@ -138,9 +138,11 @@ PilotTrial* Pilot::coarsest(const KnobFamily& family, const RenderDesc& goal) {
     PilotTrial& it = trial(knobs);
     if (good_enough(it, goal)) return &it;
     if (it.lookups < MORE * lookups) continue;
-    stalls = error_in(it.error, goal.error_metric) > STALLED * error ? stalls + 1 : 0;
+    const double now = error_in(it.error, goal.error_metric);
+    const bool stalled = now > STALLED * error && now < error / STALLED;  // one that grows is no end yet
+    stalls = stalled ? stalls + 1 : 0;
     if (stalls == 2) return nullptr;
-    error = error_in(it.error, goal.error_metric);
+    error = now;
     lookups = it.lookups;
   }
   return nullptr;

@@ -77,9 +77,10 @@ struct LiquidWalk {
     const double a = step.before, b = step.after, middle = (within(a) + within(b)) / 2, first = (middle - a) / (b - a);
     const double t = step.t_begin + first * (step.t_end - step.t_begin);
     const double found = density_at(context.scene, medium, in_cells.at(t));
-    if ((found < middle) == (a < middle) && found != middle)  // not yet there
-      return first + (1 - first) * (middle - found) / (b - found);
-    return first * (middle - a) / (found - a);
+    const bool behind = (found < middle) == (a < middle) && found != middle;  // not yet there
+    const double closer =
+        behind ? first + (1 - first) * (middle - found) / (b - found) : first * (middle - a) / (found - a);
+    return closer >= 0 && closer <= 1 ? closer : first;  // presences too much alike
   }
 
   void take(const PresenceStep& step, const RayD& in_cells) {

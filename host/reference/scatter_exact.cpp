@@ -154,7 +154,13 @@ dvec3 pieces_tau(const Context& context, const std::vector<Piece>& pieces, doubl
 constexpr double TAU_BLACK_D = 60;  // e^-60 of the light behind is no part of a sum in double
 
 // An interval in parts of at most unit optical depth, so that a few nodes see exp(-τ) as the smooth function it is.
-double parts_of(const dvec3& tau) { return std::clamp(std::ceil(std::max({tau.x, tau.y, tau.z})), 1.0, 4096.0); }
+// Channels that are black before count for nothing.
+double parts_of(const dvec3& before, const dvec3& tau) {
+  double deepest = 0;
+  for (int c = 0; c < 3; ++c)
+    if (before[c] <= TAU_BLACK_D) deepest = std::max(deepest, tau[c]);
+  return std::clamp(std::ceil(deepest), 1.0, 4096.0);
+}
 
 // Adds what the pieces scatter and emit over [a, b] and moves result.tau past it.
 void interval_scatter(const Context& context, const RayD& ray, const std::vector<Piece>& pieces, double a, double b,
@@ -180,7 +186,7 @@ Scattered media_scatter_exact(const Context& context, const RayD& ray, double t_
     const double a = borders[i], b = borders[i + 1];
     pieces_at(context, ray, t_max, 0.5 * (a + b), pieces);
     if (pieces.empty()) continue;
-    const double parts = parts_of(pieces_tau(context, pieces, a, b));
+    const double parts = parts_of(result.tau, pieces_tau(context, pieces, a, b));
     for (double part = 0; part < parts; ++part) {
       if (std::min({result.tau.x, result.tau.y, result.tau.z}) > TAU_BLACK_D) return result;
       interval_scatter(context, ray, pieces, a + (b - a) * (part / parts), a + (b - a) * ((part + 1) / parts), random,

@@ -130,7 +130,12 @@ WitnessError witnesses_compare(const Witnesses& witnesses, const std::vector<std
       displayed.push_back({std::abs(film_display(float(is), 0) - film_display(float(should), 0)), weight});
     }
   }
-  const auto relative = [&](double square) { return square > 0 ? std::sqrt(square) / mean : 0; };
+  // Of a black picture the light that is missing is the measure.
+  double missing = 0;
+  for (const auto& exact : witnesses.radiance)
+    for (const double value : exact) missing += std::abs(value) / (3.0 * double(squares.size()));
+  const double scale = mean > 0 ? mean : missing;
+  const auto relative = [&](double square) { return square > 0 && scale > 0 ? std::sqrt(square) / scale : 0; };
   const double square = std::accumulate(squares.begin(), squares.end(), 0.0) / double(squares.size());
   const std::array<double, 2> interval = interval_of(squares, square);
   error.rel_rmse = relative(square);

@@ -174,7 +174,9 @@ static inline float liquid_place(const Scene* scene, const LiquidRay* r, float b
                              vec_point(ray->origin, ray->dir, mad_exact(u, size, begin)));
   if (!even) {
     const int before = (found.w - middle) * (b - middle) > 0.0f;  // the place is
-    u = before ? u * (middle - a) / (found.w - a) : mad_exact(1.0f - u, (middle - found.w) / (b - found.w), u);
+    const float closer =
+        before ? u * (middle - a) / (found.w - a) : mad_exact(1.0f - u, (middle - found.w) / (b - found.w), u);
+    if (closer >= 0.0f && closer <= 1.0f) u = closer;  // else presences too much alike
     found = gradient_at(scene, r->stretch.medium, liquid->gradients,
                         vec_point(ray->origin, ray->dir, mad_exact(u, size, begin)));
   }

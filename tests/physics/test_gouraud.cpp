@@ -1,5 +1,5 @@
-// Gouraud's shading lights the vertices and blends their colours: a highlight inside a triangle is missed, which normals
-// that are blended show.
+// Gouraud's shading lights the vertices and blends their colours: a highlight inside a triangle is missed, which
+// normals that are blended show.
 #include <cmath>
 #include <filesystem>
 #include <fstream>

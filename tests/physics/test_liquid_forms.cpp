@@ -106,6 +106,21 @@ TEST(LiquidForms, NormalsInFewerBytes) {
   EXPECT_GE(normals_off(64, 4, "u8"), exact + 1e-3);  // bytes are seen to cost something
 }
 
+// Steps so short that float tells no presences apart still have a place of their light.
+TEST(LiquidForms, TheShortestStepsAreNumbers) {
+  const SceneDesc desc = scene_read_text(R"({"film": {"size": [64, 64]},
+    "camera": {"type": "orthographic", "eye": [1.5, 1.2, 3], "height": 2},
+    "lights": [{"type": "directional", "direction": [-0.5, -1, -0.6]}],
+    "media": [{"type": "liquid", "density": {"type": "ball", "resolution": [32, 32, 32], "ramp": 4}, "sigma_a": 1}],
+    "render": {"step": 0.0005}})",
+                                         "ball.json", {});
+  const PlannedScene scene = flatten(desc, {8, {}});
+  Renderer renderer(pocl(), scene, {8, false, 0});
+  Film film(desc.film.size);
+  renderer.render(film, [](double) { return true; });
+  EXPECT_EQ(renderer.stats().invalid_samples, 0);
+}
+
 // Time follows the lookups: their number against that of steps has an exponent of 1.
 TEST(LiquidForms, LookupsGrowWithSteps) {
   SceneDesc desc = scene_read_text(R"({"film": {"size": [24, 24]}, "camera": {"eye": [1.5, 1.2, 3], "vfov": 36},

@@ -32,8 +32,9 @@ TEST_F(Info, SaysWhatKernelsNeedAndWhatIsLeftOut) {
   for (const char* word : {"media: one", "an optical depth for each channel", "methods: homogeneous",
                            "phase functions: isotropic", "shapes: sphere", "lights: directional", "mirrors and glass"})
     EXPECT_THAT(needs, Contains(word));
-  for (const char* word : {"media: several", "shapes: cylinder, plane, quad, box", "lights: point, spot", "triangles",
-                           "textures", "light grids", "random collisions", "phase functions: henyey_greenstein"})
+  for (const char* word :
+       {"media: several", "shapes: cylinder, plane, quad, box, isosurface", "lights: point, spot", "triangles",
+        "textures", "light grids", "random collisions", "phase functions: henyey_greenstein"})
     EXPECT_THAT(left_out, Contains(word));
   for (const std::string& word : needs) EXPECT_THAT(left_out, Not(Contains(word)));
   EXPECT_THAT(fog["options"].get<std::string>(), HasSubstr("-DBRUME_MEDIA=1 -DBRUME_COLOR_TAU=1 "));

@@ -76,7 +76,7 @@ TEST_F(Interrupt, WhileADensityIsMade) {
 TEST_F(Interrupt, WhileLightGridsAreFilled) {
   write("a.json", SMOKE);
   const std::string grid = " --shadow grid --quiet --set /render/light_grid=";
-  ASSERT_EQ(run("render a.json -o warm.png --size 8x8" + grid + "4").exit_code, 0);  // kernels
+  ASSERT_EQ(run("render a.json -o warm.exr --size 8x8" + grid + "4").exit_code, 0);  // kernels
   expect_answered(
       interrupt("render a.json -o a.exr" + grid + "512 --set /media/0/density/resolution=[200,200,200]", 1.5));
   EXPECT_FALSE(files().count("a.exr"));
@@ -85,7 +85,7 @@ TEST_F(Interrupt, WhileLightGridsAreFilled) {
 TEST_F(Interrupt, InTheMiddleOfAPictureKeepsWhatIsDone) {
   write("a.json", SMOKE);
   const std::string dense = "render a.json --spp 64 --quiet -o ";
-  ASSERT_EQ(run(dense + "warm.png --size 8x8").exit_code, 0);
+  ASSERT_EQ(run(dense + "warm.exr --size 8x8").exit_code, 0);
   expect_answered(interrupt(dense + "a.exr", 1.5));
   const Image kept = image_read(folder_ / "a.exr");
   EXPECT_GT(*std::max_element(kept.values.begin(), kept.values.end()), 0);
@@ -95,7 +95,7 @@ TEST_F(Interrupt, InTheMiddleOfAPictureKeepsWhatIsDone) {
 TEST_F(Interrupt, WhileTheDeviceDoesNotAnswer) {
   write("a.json", SMOKE);
   const std::string fine = " --method march_midpoint --quiet";
-  ASSERT_EQ(run("render a.json -o warm.png --size 8x8" + fine).exit_code, 0);
+  ASSERT_EQ(run("render a.json -o warm.exr --size 8x8" + fine).exit_code, 0);
   expect_answered(interrupt("render a.json -o a.exr --size 64x64 --step 1e-5" + fine, 1));
   EXPECT_FALSE(files().count("a.exr"));
 }
@@ -104,7 +104,7 @@ TEST_F(Interrupt, WhileTheDeviceDoesNotAnswer) {
 TEST_F(Interrupt, WhatIsDoneIsWrittenWhereTheDeviceDoesNotAnswer) {
   write("a.json", SMOKE);
   const std::string fine = " --method march_midpoint --quiet --set /camera/vfov=100 --set /background=[1,1,1]";
-  ASSERT_EQ(run("render a.json -o warm.png --size 8x8" + fine).exit_code, 0);
+  ASSERT_EQ(run("render a.json -o warm.exr --size 8x8" + fine).exit_code, 0);
   expect_answered(interrupt("render a.json -o a.exr --size 64x64 --step 1e-5" + fine, 1));
   const Image kept = image_read(folder_ / "a.exr");
   EXPECT_EQ(kept.values.front(), 1);

@@ -31,6 +31,14 @@ TEST(FlattenIsosurface, AnIsoThatTheGridNeverReachesIsRefused) {
               testing::StartsWith("a.json: /media/0/iso: 0.5 is nowhere exceeded"));
 }
 
+TEST(FlattenIsosurface, AnIsoThatFloatCannotTellFromAnEndIsRefused) {
+  for (const char* iso : {"1e-20", "0.00001", "0.499999"})
+    EXPECT_THAT(refusal(std::string(R"({"shapes": [{"type": "isosurface", "iso": )") + iso +
+                        R"(, "density": {"type": "constant", "value": 0.5}}]})"),
+                testing::HasSubstr("that single precision cannot tell where it is; expected 5e-05 to 0.49995"))
+        << iso;
+}
+
 TEST(FlattenIsosurface, SharesTheBricksOfAMedium) {
   const char* density = R"({"type": "perlin", "resolution": [20, 20, 20]})";
   const PlannedScene one = flat_of(std::string(R"({"media": [{"sigma_a": 1, "density": )") + density + "}]}");

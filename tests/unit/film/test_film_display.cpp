@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "film/film_display.hpp"
+#include "image/image.hpp"
 
 using namespace brume;
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "image/image.hpp"
+#include "scene/scene_desc.hpp"
 
 namespace brume {
 

@@ -97,8 +97,9 @@ CheckCompare fresnel_prepare(int size) {
     std::vector<float> in;
     for (int i = 0; i < items; ++i) {
       const double ior = IORS[i % std::size(IORS)];
-      in.push_back(i < 8 ? static_cast<float>(i / 4) : static_cast<float>(random.uniform(0, 1)));
-      in.push_back(static_cast<float>(i / 4 % 2 ? ior : 1 / ior));
+      const int four = i / 4;
+      in.push_back(static_cast<float>(i < 8 ? four : random.uniform(0, 1)));
+      in.push_back(static_cast<float>(four % 2 ? ior : 1 / ior));
     }
     const std::vector<float> found = Probe(context, scene, lanes).run("probe_fresnel", in, 2, 1);
     for (int i = 0; i < items; ++i) {

@@ -15,6 +15,7 @@
 #include "film/film_partial.hpp"
 #include "film/film_write.hpp"
 #include "image/image_format.hpp"
+#include "scene/families.hpp"
 
 namespace brume {
 

@@ -189,10 +189,13 @@ PilotTrial& Pilot::quickest_of(std::vector<PilotTrial*> good) {
 PilotTrial& Pilot::nearest(int metric) {
   double least = INFINITY;
   for (const auto& [id, it] : trials_) least = std::min(least, error_in(it.error, metric));
-  PilotTrial* best = nullptr;
-  for (auto& [id, it] : trials_)
-    if (error_in(it.error, metric) <= EQUAL * least && (!best || it.seconds < best->seconds)) best = &it;
-  return *best;
+  const auto good = [&](const PilotTrial& it) { return error_in(it.error, metric) <= EQUAL * least; };
+  return std::min_element(trials_.begin(), trials_.end(),
+                          [&](const auto& a, const auto& b) {
+                            if (good(a.second) != good(b.second)) return good(a.second);
+                            return a.second.seconds < b.second.seconds;
+                          })
+      ->second;
 }
 
 PilotChoice Pilot::quickest(const RenderDesc& goal) {

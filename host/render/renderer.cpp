@@ -7,6 +7,7 @@
 #include "base/foreign_lines.hpp"
 #include "base/stopwatch.hpp"
 #include "cl/driver_guard.hpp"
+#include "cl/program.hpp"
 #include "render/device_scene.hpp"
 #include "render/kernel_options.hpp"
 #include "render/pace.hpp"

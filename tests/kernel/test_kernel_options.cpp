@@ -105,7 +105,7 @@ class Pictures {
   Film picture(const Tolds& tolds) const {
     const bool grey = std::any_of(tolds.begin(), tolds.end(), [](const Told& t) { return t.name == "COLOR_TAU"; });
     const WorkList work = work_all(scene_.frame);
-    const auto rays = static_cast<std::size_t>(SIZE * SIZE * scene_.frame.camera.spp);
+    const auto rays = static_cast<std::size_t>(SIZE) * SIZE * static_cast<std::size_t>(scene_.frame.camera.spp);
     Passes passes(context(), device_, scene_,
                   kernel_options(scene_, scene_, context().device(), LANES, true) + text_of(tolds), grey ? 1 : 3, rays);
     passes.fill_light_grids([](double) { return true; });
@@ -114,6 +114,7 @@ class Pictures {
     for (std::size_t take = rays; !queue.next(take).empty();) {
       const std::vector<Work>& batch = queue.next(take);
       std::vector<FilmPixel> pixels;
+      pixels.reserve(batch.size());
       for (const Work& entry : batch) pixels.push_back(film.pixels()[entry.pixel]);
       if (!passes.run(batch, pixels)) {  // too many rays were sent on
         take /= 2;

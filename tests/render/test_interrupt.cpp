@@ -128,10 +128,12 @@ TEST_F(Interrupt, StepsBeyondAnyPictureAreRefused) {
 // 2^64 rays if all were followed.
 TEST_F(Interrupt, MirrorsAndGlassInAWallOfEach) {
   std::string shapes;
-  for (int i = 0; i < 9; ++i)
+  for (int i = 0; i < 9; ++i) {
+    const int column = i % 3 - 1, row = i / 3 - 1;
     shapes += std::string(i ? "," : "") + R"({"type": "sphere", "radius": 0.5, "material": ")" +
-              (i % 2 ? "glass" : "mirror") + "\", \"center\": [" + std::to_string(1.05 * (i % 3 - 1)) + "," +
-              std::to_string(1.05 * (i / 3 - 1)) + ", 0]}";
+              (i % 2 ? "glass" : "mirror") + "\", \"center\": [" + std::to_string(1.05 * column) + "," +
+              std::to_string(1.05 * row) + ", 0]}";
+  }
   write("a.json", R"({"camera": {"eye": [0.3, 0.5, 5], "target": [0, 0, 0], "vfov": 40}, "film": {"size": [64, 64]},
     "background": 0.5, "materials": {"glass": {"reflection": 0.5, "refraction": 0.5, "ior": 1.5},
     "mirror": {"reflection": 0.5, "refraction": 0.5, "ior": 1.2}}, "shapes": [)" +

@@ -263,6 +263,7 @@ TEST_F(FilmTest, AgreesWithOiiotool) {
 
 TEST(FilmCompare, AMissingLayerNamesSomeOfThoseThatThereAre) {
   std::vector<std::string> names;
+  names.reserve(1000);
   for (int i = 0; i < 1000; ++i) names.push_back("layer" + std::to_string(i) + ".X");
   const Image image = image_of(1, std::vector<float>(1000), names);
   try {

@@ -40,8 +40,10 @@ inline double sample_of(const Grid& grid, ivec3 s, bool trilinear) {
 inline int brick_number(const FlatScene& scene, const Medium& m, ivec3 b) {
   const ivec3 block = b / 8, in = b % 8, blocks((m.brick_nx + 7) / 8, (m.brick_ny + 7) / 8, 0);
   const auto begin = static_cast<std::size_t>(
-      scene.bricks.at(static_cast<std::size_t>(m.brick_offset + (block.z * blocks.y + block.y) * blocks.x + block.x)));
-  return scene.bricks.at(begin + static_cast<std::size_t>((in.z * 8 + in.y) * 8 + in.x));
+      scene.bricks.at(static_cast<std::size_t>(m.brick_offset) +
+                      static_cast<std::size_t>(block.z * blocks.y + block.y) * static_cast<std::size_t>(blocks.x) +
+                      static_cast<std::size_t>(block.x)));
+  return scene.bricks.at(begin + static_cast<std::size_t>(in.z * 8 + in.y) * 8 + static_cast<std::size_t>(in.x));
 }
 
 // Sample i, 0 ... 8 on each axis, of brick b.

@@ -8,7 +8,6 @@ namespace {
 
 using namespace test;
 using glm::dvec3;
-using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 

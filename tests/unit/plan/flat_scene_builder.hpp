@@ -138,8 +138,8 @@ inline MediumRows medium_add_grid(PlannedScene& scene, const glm::ivec3& cells, 
     if (empty) continue;
     const int begin =
         scene.bricks[index + static_cast<std::size_t>((block.z * blocks.y + block.y) * blocks.x + block.x)];
-    scene.bricks[static_cast<std::size_t>(begin + (in.z * 8 + in.y) * 8 + in.x)] =
-        static_cast<int>(scene.voxels.size() / BRICK_VALUES);
+    scene.bricks[static_cast<std::size_t>(begin) + static_cast<std::size_t>((in.z * 8 + in.y) * 8) +
+                 static_cast<std::size_t>(in.x)] = static_cast<int>(scene.voxels.size() / BRICK_VALUES);
     scene.voxels.insert(scene.voxels.end(), samples.begin(), samples.end());
     const auto [min, max] = std::minmax_element(samples.begin(), samples.end());
     scene.brick_ranges.insert(scene.brick_ranges.end(), {*min, *max});

@@ -2,18 +2,14 @@
 #include "assimp/mesh_serve.hpp"
 
 #include <assimp/config.h>
-#include <sys/resource.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <assimp/Importer.hpp>
-#include <filesystem>
-#include <fstream>
 
 #include "assimp/gathered_mesh.hpp"
 #include "base/error.hpp"
 #include "base/file_read.hpp"
 #include "base/helper_program.hpp"
+#include "base/helper_serve.hpp"
 
 namespace brume {
 
@@ -27,25 +23,6 @@ std::string failure_text(const std::string& said) {
   if (said.rfind("No suitable reader", 0) == 0)
     return "is damaged where it begins, or of another version of its format";
   return "cannot be read: Assimp says " + said;
-}
-
-constexpr rlim_t SECONDS_MIN = 10, BYTES_PER_SECOND = 1 << 20;  // of the processor; a file in order takes a tenth
-
-// What this program takes by itself, libraries included, comes on top of what the file may ask for.
-void limits_set(const std::filesystem::path& file) {
-  std::error_code failed;
-  const std::uintmax_t size = std::filesystem::file_size(file, failed);
-  if (failed) return;  // opening it will say why
-  std::uint64_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  const rlim_t memory = pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + mesh_memory_max(size);
-  for (const auto& [resource, value] :
-       {std::pair{RLIMIT_AS, memory}, std::pair{RLIMIT_CPU, SECONDS_MIN + size / BYTES_PER_SECOND}}) {
-    rlimit limit{};
-    ::getrlimit(resource, &limit);
-    limit.rlim_cur = std::min(limit.rlim_max, value);
-    ::setrlimit(resource, &limit);
-  }
 }
 
 template <class T>
@@ -99,7 +76,7 @@ bool mesh_serve(int socket) {
   if (!helper_receive(socket, &request, sizeof request) || request.protocol != MESH_PROTOCOL) return false;
   std::string path(request.path_bytes, '\0');
   if (!helper_receive(socket, path.data(), path.size())) return false;
-  limits_set(path);
+  helper_limits(path, mesh_memory_max);
   try {
     return read_and_send(socket, path);
   } catch (const std::bad_alloc&) {

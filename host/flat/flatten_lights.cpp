@@ -47,10 +47,7 @@ struct Extent {
 };
 
 Extent box_extent(const Affine& unit_from_world) {
-  dmat4 m(1.0);
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 4; ++column) m[column][row] = unit_from_world.m[4 * row + column];
-  const dmat4 world_from_unit = glm::inverse(m);
+  const dmat4 world_from_unit = glm::inverse(matrix(unit_from_world));
   const dvec3 x(world_from_unit[0]), y(world_from_unit[1]), z(world_from_unit[2]);
   const double faces = glm::length(glm::cross(x, y)) + glm::length(glm::cross(y, z)) + glm::length(glm::cross(z, x));
   return {dvec3(world_from_unit * glm::dvec4(0.5, 0.5, 0.5, 1)), 2 * faces};

@@ -40,6 +40,13 @@ Affine affine(const dmat4& m) {
   return a;
 }
 
+dmat4 matrix(const Affine& a) {
+  dmat4 m(1.0);
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column) m[column][row] = a.m[4 * row + column];
+  return m;
+}
+
 dmat4 flat_from(const FlatScene& scene, dmat4 m) {
   m[3] -= glm::dvec4(scene.origin, 0.0);
   for (int column = 0; column < 4; ++column) m[column] = glm::dvec4(dvec3(m[column]) / scene.unit, m[column].w);

@@ -19,6 +19,7 @@ dvec3 transform_dir(const dmat4& m, const dvec3& d);
 
 Packed3 packed(const dvec3& v);
 Affine affine(const dmat4& m);  // the upper three rows
+dmat4 matrix(const Affine& a);
 
 // The map from X to flat units, made of the map from X to the world.
 dmat4 flat_from(const FlatScene& scene, dmat4 world_from_x);

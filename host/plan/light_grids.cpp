@@ -24,13 +24,6 @@ bool wants_light_grids(const SceneDesc& desc, const Medium& m, const RenderPlan&
          !extended;
 }
 
-dmat4 matrix(const Affine& a) {
-  dmat4 m(1.0);
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 4; ++column) m[column][row] = a.m[4 * row + column];
-  return m;
-}
-
 // The box of a medium divided evenly: the longest side in render.light_grid parts, the others in as many of that size
 // as cover them.
 struct Lattice {

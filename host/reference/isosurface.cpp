@@ -127,11 +127,7 @@ double border_nearest(const Medium& grid, const dvec3& p) {
   return side;
 }
 
-dvec3 to_world(const Isosurface& s, const dvec3& n) {
-  const float* m = s.cell_from_world.m;
-  const dvec3 x(m[0], m[1], m[2]), y(m[4], m[5], m[6]), z(m[8], m[9], m[10]);
-  return vec_unit(n.x * x + n.y * y + n.z * z);
-}
+dvec3 to_world(const Isosurface& s, const dvec3& n) { return vec_unit(affine_normal(s.cell_from_world, n)); }
 
 }  // namespace
 

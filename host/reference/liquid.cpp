@@ -33,8 +33,7 @@ struct LiquidWalk {
 
   // Out of the liquid, from differences along the axes of cell space; 0 where there are none.
   dvec3 normal_of(const dvec3& gradient) const {
-    dvec3 world(0);
-    for (int row = 0; row < 3; ++row) world += gradient[row] * vec_promote(medium.cell_from_world.m + 4 * row);
+    const dvec3 world = affine_normal(medium.cell_from_world, gradient);
     return world == dvec3(0) ? world : -glm::normalize(world);
   }
 

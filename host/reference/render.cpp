@@ -35,13 +35,13 @@ Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& 
     const RandomStream shadow = random.child(STREAM_LIGHT + n++);
     const dvec3 to_light = -light_at(scene, scene.lights[pick.light], surface.point, random).travel;
     if (!(glm::dot(surface.normal, to_light) > 0)) continue;
-    const dvec3 scattered = weight * surface_reflect(scene, surface, view_dir, -to_light);
-    if (material.refraction > 0 && std::max({scattered.x, scattered.y, scattered.z}) < scene.frame.cutoff) continue;
+    const dvec3 reflected = surface_reflect(scene, surface, view_dir, -to_light), seen = weight * reflected;
+    if (material.refraction > 0 && std::max({seen.x, seen.y, seen.z}) < scene.frame.cutoff) continue;
     const dvec3 origin = surface_leave(surface, to_light);
     const Arrival arrival = light_arrival(context, pick.light, surface.point, origin, random, shadow, lookups);
     if (arrival.blocked) continue;
     lit.lights |= 1u << (pick.light % 32);
-    lit.radiance += pick.weight * arrival.irradiance * surface_reflect(scene, surface, view_dir, arrival.light.travel);
+    lit.radiance += pick.weight * arrival.irradiance * reflected;
   }
   return lit;
 }

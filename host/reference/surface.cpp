@@ -126,6 +126,12 @@ double lobe_base(int model, const dvec3& normal, const dvec3& to_light, const dv
   return length > 0 ? std::max(0.0, glm::dot(normal, half) / length) : 0;
 }
 
+// Of rays that leave a point where one of length t ends.
+double epsilon_of(const dvec3& point, double t) {
+  const dvec3 size = glm::abs(point);
+  return 0x1p-17 * std::max({size.x, size.y, size.z, t});
+}
+
 }  // namespace
 
 SurfaceD surface_at(const PlannedScene& scene, const RayD& ray, const HitD& hit) {
@@ -166,8 +172,7 @@ SurfaceD surface_at(const PlannedScene& scene, const RayD& ray, const HitD& hit)
     surface.emission *= texture_lookup(scene, material.emission_texture, surface.uv);
     surface.second |= texture_second(scene.textures[static_cast<std::size_t>(material.emission_texture)], surface.uv);
   }
-  const dvec3 size = glm::abs(surface.point);
-  surface.ray_epsilon = 0x1p-17 * std::max({size.x, size.y, size.z, hit.t});
+  surface.ray_epsilon = epsilon_of(surface.point, hit.t);
   return surface;
 }
 
@@ -182,8 +187,7 @@ std::vector<CornerD> surface_corners(const PlannedScene& scene, const SurfaceD& 
     SurfaceD& corner = corners.back().surface;
     corner.point = vec_promote(triangle.p[k]);
     corner.normal = (surface.leaving ? -1.0 : 1.0) * vec_promote(triangle.n[k]);
-    const dvec3 size = glm::abs(corner.point);
-    corner.ray_epsilon = 0x1p-17 * std::max({size.x, size.y, size.z, hit.t});
+    corner.ray_epsilon = epsilon_of(corner.point, hit.t);
   }
   return corners;
 }

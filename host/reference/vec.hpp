@@ -23,6 +23,11 @@ inline dvec3 vec_promote(const Packed3& p) { return {p.x, p.y, p.z}; }
 inline dvec3 vec_promote(const float* p) { return {p[0], p[1], p[2]}; }
 inline dvec3 vec_unit(const dvec3& v) { return v / glm::length(v); }
 
+// A normal, or a gradient, of the space that the map leads to, in the one it comes from: by its transpose.
+inline dvec3 affine_normal(const Affine& a, const dvec3& n) {
+  return n.x * vec_promote(a.m) + n.y * vec_promote(a.m + 4) + n.z * vec_promote(a.m + 8);
+}
+
 // Two unit vectors at right angles to a third and to each other [Duff17, listing 3].
 inline std::array<dvec3, 2> vec_beside(const dvec3& n) {
   const double sign = std::copysign(1.0, n.z), a = -1 / (sign + n.z), b = n.x * n.y * a;

@@ -1,14 +1,12 @@
-// The loop over requests, and the limits under which a file is read.
+// The loop over requests.
 #include "vdb/vdb_serve.hpp"
 
-#include <sys/resource.h>
 #include <tbb/global_control.h>
 
-#include <algorithm>
-#include <fstream>
 #include <optional>
 
 #include "base/error.hpp"
+#include "base/helper_serve.hpp"
 #include "vdb/vdb_send.hpp"
 #include "volume/volume_memory.hpp"
 
@@ -17,27 +15,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr rlim_t SECONDS_MIN = 10, BYTES_PER_SECOND = 1 << 20;  // of the processor; a file in order takes a hundredth
-
-// What this program takes by itself, libraries included, comes on top of what the file may ask for.
-void limits_set(const fs::path& file) {
-  std::error_code failed;
-  const std::uintmax_t size = fs::file_size(file, failed);
-  if (failed) return;  // opening it will say why
-  std::uint64_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  const rlim_t memory = pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + volume_memory_max(size);
-  const rlim_t seconds = SECONDS_MIN + size / BYTES_PER_SECOND;
-  for (const auto& [resource, value] : {std::pair{RLIMIT_AS, memory}, std::pair{RLIMIT_CPU, seconds}}) {
-    rlimit limit{};
-    ::getrlimit(resource, &limit);
-    limit.rlim_cur = std::min(limit.rlim_max, value);
-    ::setrlimit(resource, &limit);
-  }
-}
-
 void open_file(const VdbPeer& peer, const fs::path& path, std::optional<VdbFile>& file) {
-  limits_set(path);
+  helper_limits(path, volume_memory_max);
   file.emplace(path);
   for (std::size_t i = 0; i < file->count(); ++i) vdb_send_head(peer, *file, i);
   peer.send(VolumeFrame::DONE, nullptr, 0);

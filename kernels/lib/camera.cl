@@ -11,9 +11,7 @@
 // Where sample `sample` of `spp` sits within its pixel: the sequence of the pixel, which does not depend on spp.
 static inline float2 pixel_position(uint pixel, uint sample, uint spp, uint seed) {
   if (spp == 1) return (float2)(0.5f, 0.5f);
-  const uint x = owen_scramble_reversed(sample, rng_bits(pixel, 0, 0, seed));
-  const uint y = owen_scramble_reversed(sobol_reversed(sample), rng_bits(pixel, 0, 1, seed));
-  return (float2)(bits_uniform(bits_reverse(x)), bits_uniform(bits_reverse(y)));
+  return sobol_scrambled(sample, pixel, 0, seed);
 }
 
 // t from which the ray is inside the frame's bounds, at least `first`; 0 where it misses them.

@@ -3,6 +3,7 @@
 // digits, and both dimensions begin with the index as it is.
 #ifndef BRUME_LIB_SOBOL_CL
 #define BRUME_LIB_SOBOL_CL
+#include "lib/rng.cl"
 
 static inline uint bits_reverse(uint x) {
   x = ((x >> 1) & 0x55555555u) | ((x & 0x55555555u) << 1);
@@ -31,6 +32,13 @@ static inline uint owen_scramble_reversed(uint x, uint seed) {
   x *= (seed >> 16) | 1u;
   x ^= x * 0x05526C56u;
   return x ^ (x * 0x53A22864u);
+}
+
+// Point `index` in both dimensions, in [0, 1), scrambled by two hashes.
+static inline float2 sobol_scrambled(uint index, uint pixel, uint sample, uint seed) {
+  const uint x = owen_scramble_reversed(index, rng_bits(pixel, sample, 0, seed));
+  const uint y = owen_scramble_reversed(sobol_reversed(index), rng_bits(pixel, sample, 1, seed));
+  return (float2)(bits_uniform(bits_reverse(x)), bits_uniform(bits_reverse(y)));
 }
 
 #endif

@@ -45,6 +45,12 @@ static inline float3 affine_dir(const Affine* a, float3 d) {
                   mad_exact(a->m[8], d.x, mad_exact(a->m[9], d.y, a->m[10] * d.z)));
 }
 
+// A normal, or a gradient, of the space that the map leads to, in the one it comes from: by its transpose.
+static inline float3 affine_normal(const Affine* a, float3 n) {
+  return n.x * (float3)(a->m[0], a->m[1], a->m[2]) + n.y * (float3)(a->m[4], a->m[5], a->m[6]) +
+         n.z * (float3)(a->m[8], a->m[9], a->m[10]);
+}
+
 // Unit vectors at right angles, of which z is given [Duff17].
 typedef struct {
   float3 x, y, z;

@@ -14,10 +14,7 @@ static inline float2 emitter_choice(const Light* light, Random random, float2 mi
   if (light->points == 0) return middle;
   const Random own = random_stream(random, STREAM_LIGHT_PLACE);
   const uint index = own.sample * (uint)light->points + (uint)light->point;
-  const uint x = owen_scramble_reversed(index, rng_bits(own.pixel, (uint)light->primitive, 0, own.seed));
-  const uint y =
-      owen_scramble_reversed(sobol_reversed(index), rng_bits(own.pixel, (uint)light->primitive, 1, own.seed));
-  return (float2)(bits_uniform(bits_reverse(x)), bits_uniform(bits_reverse(y)));
+  return sobol_scrambled(index, own.pixel, (uint)light->primitive, own.seed);
 }
 
 #if BRUME_TRIANGLES
@@ -29,8 +26,8 @@ static inline ShapePlace triangle_emit(const Scene* scene, const Light* light, f
   const float3 p0 = vec_unpack(t.p[0]), p1 = vec_unpack(t.p[1]), p2 = vec_unpack(t.p[2]);
   const float3 normal = cross(p1 - p0, p2 - p0);
   uint second;
-  const float2 uv = (float2)(w * t.uv[0] + u * t.uv[2] + v * t.uv[4], w * t.uv[1] + u * t.uv[3] + v * t.uv[5]);
-  *radiance = texture_times(scene, light->intensity, scene->materials[t.material].emission_texture, uv, &second);
+  *radiance = texture_times(scene, light->intensity, scene->materials[t.material].emission_texture,
+                            triangle_uv(&t, w, u, v), &second);
   return shape_place_of(w * (p0 - from) + u * (p1 - from) + v * (p2 - from), normal, 0.5f * length(normal));
 }
 #endif

@@ -19,6 +19,13 @@ static inline float3 triangle_normals(const Triangle* t, const Hit* hit, float3*
                    hit->v * vec_unpack(t->n[2]));
 }
 
+static inline float2 triangle_uv(const Triangle* t, float w, float u, float v) {
+  return (float2)(w * t->uv[0] + u * t->uv[2] + v * t->uv[4], w * t->uv[1] + u * t->uv[3] + v * t->uv[5]);
+}
+
+// Of a point where a ray of length t ends.
+static inline float surface_epsilon(float3 point, float t) { return 0x1p-17f * fmax(vec_max_abs(point), t); }
+
 static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* hit) {
   Surface s;
   const float3 dir = vec_unpack(ray->dir);
@@ -27,10 +34,8 @@ static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* 
 #if BRUME_TRIANGLES
   if (hit->primitive >= FIRST_TRIANGLE) {
     const Triangle t = scene->triangles[hit->primitive - FIRST_TRIANGLE];
-    const float w = 1.0f - hit->u - hit->v;
     s.normal = triangle_normals(&t, hit, &s.geometric_normal);
-    s.uv =
-        (float2)(w * t.uv[0] + hit->u * t.uv[2] + hit->v * t.uv[4], w * t.uv[1] + hit->u * t.uv[3] + hit->v * t.uv[5]);
+    s.uv = triangle_uv(&t, 1.0f - hit->u - hit->v, hit->u, hit->v);
     s.material = t.material;
   } else
 #endif
@@ -50,7 +55,7 @@ static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* 
     s.geometric_normal = -s.geometric_normal;
     s.normal = -s.normal;
   }
-  s.epsilon = 0x1p-17f * fmax(vec_max_abs(s.point), hit->t);
+  s.epsilon = surface_epsilon(s.point, hit->t);
   return s;
 }
 
@@ -60,7 +65,7 @@ static inline Surface surface_corner(const Triangle* t, const Hit* hit, const Su
   Surface s = *surface;
   s.point = vec_unpack(t->p[k]);
   s.normal = vec_unpack(t->n[k]) * (s.leaving ? -1.0f : 1.0f);
-  s.epsilon = 0x1p-17f * fmax(vec_max_abs(s.point), hit->t);
+  s.epsilon = surface_epsilon(s.point, hit->t);
   *share = k == 0 ? 1.0f - hit->u - hit->v : (k == 1 ? hit->u : hit->v);
   return s;
 }

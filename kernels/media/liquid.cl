@@ -41,9 +41,7 @@ static inline float4 gradient_at(const Scene* scene, const Medium* medium, int s
 
 // From differences in cell space to the unit normal of the world, out of the liquid; 0 where there is none.
 static inline float3 liquid_normal(const Medium* medium, float3 gradient) {
-  const float* m = medium->cell_from_world.m;
-  const float3 outwards = -(gradient.x * (float3)(m[0], m[1], m[2]) + gradient.y * (float3)(m[4], m[5], m[6]) +
-                            gradient.z * (float3)(m[8], m[9], m[10]));
+  const float3 outwards = -affine_normal(&medium->cell_from_world, gradient);
   return vec_max_abs(outwards) > 0.0f ? vec_unit(outwards) : (float3)(0.0f);
 }
 

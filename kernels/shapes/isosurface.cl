@@ -182,11 +182,8 @@ static inline float3 axis_unit(int axis) {
   return (float3)(axis == 0 ? 1.0f : 0.0f, axis == 1 ? 1.0f : 0.0f, axis == 2 ? 1.0f : 0.0f);
 }
 
-// A normal of cell space in the world: by the transpose of the map from world to cells.
 static inline float3 normal_to_world(const Isosurface* s, float3 n) {
-  const float* m = s->cell_from_world.m;
-  return vec_unit((float3)(m[0] * n.x + m[4] * n.y + m[8] * n.z, m[1] * n.x + m[5] * n.y + m[9] * n.z,
-                           m[2] * n.x + m[6] * n.y + m[10] * n.z));
+  return vec_unit(affine_normal(&s->cell_from_world, n));
 }
 
 // Outward normals at a hit: of the cell's own density, and of central differences, which do not break at its faces.

@@ -44,9 +44,6 @@ constexpr PassRow PASSES[] = {{"presence_gradients", true, has_liquids},
 // Rays that a wave has room for, at least: what one sample may send on.
 constexpr std::size_t WAVE_LEAST = 2 * SECONDARY_RAYS_MAX;
 
-// Private arrays of all items of a group lie on the worker's stack in PoCL: few items on a CPU.
-constexpr std::size_t GROUP_CPU = 16, GROUP_GPU = 64;
-
 constexpr std::size_t PIECE_FIRST = 512;  // of a light grid
 
 double event_seconds(const cl::Event& event) {
@@ -72,7 +69,7 @@ Passes::Passes(Context& context, std::shared_ptr<DeviceScene> device_scene, cons
       has_surfaces_(has_surfaces(device_scene_->flat(), plan)),
       has_specular_(has_specular(device_scene_->flat(), plan)),
       unit_(static_cast<cl_float>(device_scene_->flat().unit)),
-      group_(std::min(context.device().cpu ? GROUP_CPU : GROUP_GPU, context.device().max_group)) {
+      group_(context.device().group) {
   static_assert(std::size(PASSES) == PASS_COUNT, "one row per pass");
   for (const PassRow& pass : PASSES) stats_.push_back({pass.name, 0, 0});
   create_buffers(batch_rays);

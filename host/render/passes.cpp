@@ -226,18 +226,24 @@ bool Passes::enqueue_waves(cl_uint entries, cl_uint samples) {
   return true;
 }
 
-bool Passes::run(const std::vector<Work>& batch, std::vector<FilmPixel>& pixels) {
+// A map that fails throws before `use` is called; one that `use` leaves by an exception dies with the queue.
+template <class Use>
+void Passes::with_pixels(std::size_t count, cl_map_flags flags, const Use& use) {
+  void* mapped = context_.queue().enqueueMapBuffer(pixels_, CL_TRUE, flags, 0, count * sizeof(FilmPixel));
+  use(static_cast<FilmPixel*>(mapped));
+  context_.queue().enqueueUnmapMemObject(pixels_, mapped);
+}
+
+bool Passes::run(const std::vector<Work>& batch, const Fill& fill, const Take& take) {
   const DriverGuard guard;
   const auto entries = static_cast<cl_uint>(batch.size());
-  const std::size_t bytes = batch.size() * sizeof(FilmPixel);
   try {
-    const cl::CommandQueue& queue = context_.queue();
-    queue.enqueueWriteBuffer(work_, CL_FALSE, 0, batch.size() * sizeof(Work), batch.data());
-    queue.enqueueWriteBuffer(pixels_, CL_FALSE, 0, bytes, pixels.data());
+    context_.queue().enqueueWriteBuffer(work_, CL_FALSE, 0, batch.size() * sizeof(Work), batch.data());
+    with_pixels(entries, CL_MAP_WRITE_INVALIDATE_REGION, fill);
     const bool fits = enqueue_waves(entries, batch_rays(batch));
     if (fits) enqueue(ACCUMULATE, entries, work_, entries, unit_, samples_, pixels_);
     finish();
-    if (fits) queue.enqueueReadBuffer(pixels_, CL_TRUE, 0, bytes, pixels.data());
+    if (fits) with_pixels(entries, CL_MAP_READ, take);
     return fits;
   } catch (const cl::Error& error) {
     failed(error);

@@ -14,8 +14,7 @@ namespace {
 constexpr int BINS = 16;
 constexpr int SAH_DEPTH_MAX = 40;  // below, halves only: at most 32 levels more
 
-struct Box {
-  float lo[3], hi[3];
+struct Box : BvhBox {
   Box() {
     std::fill(lo, lo + 3, std::numeric_limits<float>::infinity());
     std::fill(hi, hi + 3, -std::numeric_limits<float>::infinity());
@@ -26,7 +25,7 @@ struct Box {
       hi[a] = std::max(hi[a], p[a]);
     }
   }
-  void add(const Box& b) {  // not its corners: an empty box has infinite ones
+  void add(const BvhBox& b) {  // not its corners: an empty box has infinite ones
     for (int a = 0; a < 3; ++a) {
       lo[a] = std::min(lo[a], b.lo[a]);
       hi[a] = std::max(hi[a], b.hi[a]);
@@ -47,16 +46,10 @@ struct Split {
 
 class Builder {
  public:
-  Builder(const std::vector<Triangle>& triangles, std::uint32_t leaf_size) : leaf_size_(leaf_size) {
-    boxes_.reserve(triangles.size());
-    for (const Triangle& t : triangles) {
-      Box box;
-      for (const Packed3& p : t.p) box.add(&p.x);
-      boxes_.push_back(box);
-    }
-    tree_.order.resize(triangles.size());
+  Builder(const std::vector<BvhBox>& boxes, std::uint32_t leaf_size) : leaf_size_(leaf_size), boxes_(boxes) {
+    tree_.order.resize(boxes.size());
     std::iota(tree_.order.begin(), tree_.order.end(), 0u);
-    if (!triangles.empty()) build(0, static_cast<std::uint32_t>(triangles.size()), 0);
+    if (!boxes.empty()) build(0, static_cast<std::uint32_t>(boxes.size()), 0);
   }
   BinaryBvh take() { return std::move(tree_); }
 
@@ -134,7 +127,7 @@ class Builder {
   }
 
   std::uint32_t leaf_size_;
-  std::vector<Box> boxes_;
+  const std::vector<BvhBox>& boxes_;
   BinaryBvh tree_;
 };
 
@@ -145,8 +138,8 @@ float BinaryNode::area() const {
   return 2 * (x * y + y * z + z * x);
 }
 
-BinaryBvh bvh_build_binary(const std::vector<Triangle>& triangles, int leaf_size) {
-  return Builder(triangles, static_cast<std::uint32_t>(leaf_size)).take();
+BinaryBvh bvh_build_binary(const std::vector<BvhBox>& boxes, int leaf_size) {
+  return Builder(boxes, static_cast<std::uint32_t>(leaf_size)).take();
 }
 
 }  // namespace brume

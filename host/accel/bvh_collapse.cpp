@@ -1,5 +1,4 @@
-// Binary → wide: a node takes in its largest child until it has `width` of them [Wald08]; leaves become blocks of
-// triangles. Every child but one waits on the traversal's stack: where a deep tree would overflow it, nodes take in
+// Binary → wide: a node takes in its largest child until it has `width` of them [Wald08]. Every child but one waits on the traversal's stack: where a deep tree would overflow it, nodes take in
 // fewer.
 #include <algorithm>
 #include <limits>
@@ -14,17 +13,16 @@ namespace {
 
 class Collapse {
  public:
-  Collapse(const BinaryBvh& tree, const std::vector<Triangle>& triangles, int width)
-      : tree_(tree), triangles_(triangles), width_(width) {}
+  Collapse(FlatBvh& out, const BinaryBvh& tree, int width, const LeafLink& leaf)
+      : out_(out), tree_(tree), width_(width), leaf_(leaf) {}
 
-  FlatBvh run() {
-    if (tree_.nodes.empty()) return {};
+  std::int32_t run() {
     heights_find();
-    node_add(0);
+    const std::int32_t root = node_add(0);
     if (stack_need_ > BVH_STACK)
       throw RuntimeError("the BVH needs a traversal stack of " + std::to_string(stack_need_) +
                          " entries; allowed are " + std::to_string(BVH_STACK));
-    return std::move(out_);
+    return root;
   }
 
  private:
@@ -75,45 +73,24 @@ class Collapse {
         out_.nodes[(6 * std::size_t(number) + axis) * width_ + lane] = child.lo[axis];
         out_.nodes[(6 * std::size_t(number) + 3 + axis) * width_ + lane] = child.hi[axis];
       }
-      const std::int32_t link = child.left < 0 ? leaf_add(child) : node_add(children[lane], waiting);
+      const std::int32_t link = child.left < 0 ? leaf_(child) : node_add(children[lane], waiting);
       out_.links[std::size_t(number) * width_ + lane] = link;
     }
     return number;
   }
 
-  std::int32_t leaf_add(const BinaryNode& leaf) {
-    const std::size_t first = out_.ids.size() / width_, count = (leaf.count + width_ - 1) / width_;
-    if (first >= (1u << 27) || count > BVH_LEAF_BLOCKS_MAX)
-      throw RuntimeError("the BVH has " + std::to_string(first) + " leaf blocks; allowed are " +
-                         std::to_string(1 << 27));
-    out_.ids.resize(out_.ids.size() + count * width_, -1);
-    out_.blocks.resize(out_.blocks.size() + count * 9 * width_, 0.0f);
-    for (std::uint32_t k = 0; k < leaf.count; ++k) {
-      const std::uint32_t triangle = tree_.order[leaf.first + k];
-      const std::size_t block = first + k / width_, lane = k % width_;
-      out_.ids[block * width_ + lane] = static_cast<std::int32_t>(triangle);
-      const float* p = &triangles_[triangle].p[0].x;
-      for (int run = 0; run < 9; ++run) out_.blocks[(block * 9 + run) * width_ + lane] = p[run];
-    }
-    return ~static_cast<std::int32_t>(first * 16 + count);
-  }
-
+  FlatBvh& out_;
   const BinaryBvh& tree_;
-  const std::vector<Triangle>& triangles_;
   int width_;
+  const LeafLink& leaf_;
   int stack_need_ = 0;
   std::vector<int> heights_;  // of every binary node: levels below it
-  FlatBvh out_;
 };
 
 }  // namespace
 
-FlatBvh bvh_collapse(const BinaryBvh& tree, const std::vector<Triangle>& triangles, int width) {
-  return Collapse(tree, triangles, width).run();
-}
-
-FlatBvh bvh_build(const std::vector<Triangle>& triangles, int width) {
-  return bvh_collapse(bvh_build_binary(triangles, width), triangles, width);
+int bvh_collapse(FlatBvh& bvh, const BinaryBvh& tree, int width, const LeafLink& leaf) {
+  return Collapse(bvh, tree, width, leaf).run();
 }
 
 }  // namespace brume

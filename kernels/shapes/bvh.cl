@@ -87,14 +87,13 @@ static inline void leaf_hit(const Scene* scene, const ShearedRay* ray, int link,
   }
 }
 
-// Nearest triangle with 0 < t < hit->t; `any`: stop at the first one.
-static inline void bvh_hit(const Scene* scene, float3 origin, float3 dir, int any, Hit* hit) {
-  if (scene->frame->triangle_count == 0) return;
+// Nearest triangle below node `root` with 0 < t < hit->t; `any`: stop at the first one. dir may have any length.
+static inline void bvh_hit(const Scene* scene, int root, float3 origin, float3 dir, int any, Hit* hit) {
   const BoxRay box = box_ray(origin, dir);
   const ShearedRay ray = ray_shear(origin, dir);
   const float t_limit = hit->t;
   BvhEntry stack[BVH_STACK];
-  int top = bvh_push_children(scene, &box, 0, hit->t, stack, 0);
+  int top = bvh_push_children(scene, &box, root, hit->t, stack, 0);
   while (top > 0) {
     const BvhEntry entry = stack[--top];
     if (entry.t > hit->t) continue;

@@ -64,7 +64,7 @@ static inline Hit scene_hit(const Scene* scene, float3 origin, float3 dir, float
   }
 #endif
 #if BRUME_TRIANGLES
-  bvh_hit(scene, origin, dir, any, &hit);
+  if (scene->frame->triangle_count > 0) bvh_hit(scene, 0, origin, dir, any, &hit);
 #endif
   return hit;
 }

@@ -219,13 +219,64 @@ TEST_P(Bvh, IsTheSameEveryTime) {
   EXPECT_EQ(a.ids, b.ids);
 }
 
+// Two soups, one behind the other: links, ids and the root of the second count from the start of all.
+TEST_P(Bvh, StandsBehindAnother) {
+  const std::size_t w = GetParam();
+  Soup soup = random_soup(300, 5);
+  const FlatBvh alone = bvh_build(soup, GetParam());
+  const Soup more = random_soup(70, 6);
+  const FlatBvh other = bvh_build(more, GetParam());
+  FlatBvh both = alone;
+  soup.insert(soup.end(), more.begin(), more.end());
+  const int root = bvh_append(both, soup, 300, GetParam());
+  ASSERT_EQ(std::size_t(root), alone.links.size() / w);
+  ASSERT_EQ(both.links.size(), alone.links.size() + other.links.size());
+  for (std::size_t i = 0; i < other.links.size(); ++i) {
+    const int link = other.links[i], moved = both.links[alone.links.size() + i];
+    const int leaf = ~(~link + 16 * static_cast<int>(alone.ids.size() / w));
+    EXPECT_EQ(moved, link == BVH_ABSENT ? BVH_ABSENT : link < 0 ? leaf : link + root);
+  }
+  for (std::size_t i = 0; i < other.ids.size(); ++i)
+    EXPECT_EQ(both.ids[alone.ids.size() + i], other.ids[i] < 0 ? -1 : other.ids[i] + 300);
+}
+
+TEST_P(Bvh, HoldsEveryBoxOnce) {
+  for (const int count : {1, 2, 5, 2000}) {
+    std::vector<BvhBox> boxes;
+    for (int i = 0; i < count; ++i) {
+      const float x = static_cast<float>(i * 7 % count);
+      boxes.push_back({{x, 0, 0}, {x + 1, 1, x}});
+    }
+    FlatBvh bvh;
+    EXPECT_EQ(bvh_append_boxes(bvh, boxes, GetParam()), 0);
+    std::vector<int> seen(boxes.size());
+    for (const int link : bvh.links)
+      if (link < 0) ++seen.at(static_cast<std::size_t>(~link));
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), count);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Widths, Bvh, testing::Values(4, 8, 16), testing::PrintToStringParamName());
+
+std::vector<BvhBox> boxes_of(const Soup& soup) {
+  std::vector<BvhBox> boxes;
+  for (const Triangle& t : soup) {
+    BvhBox box;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float p[3] = {(&t.p[0].x)[axis], (&t.p[1].x)[axis], (&t.p[2].x)[axis]};
+      box.lo[axis] = *std::min_element(p, p + 3);
+      box.hi[axis] = *std::max_element(p, p + 3);
+    }
+    boxes.push_back(box);
+  }
+  return boxes;
+}
 
 // A leaf takes no more triangles than one block has lanes.
 TEST(BinaryBvh, LeavesPartitionTheTriangles) {
   const Soup soup = random_soup(777, 11);
   for (const int leaf_size : {1, 4, 16}) {
-    const BinaryBvh tree = bvh_build_binary(soup, leaf_size);
+    const BinaryBvh tree = bvh_build_binary(boxes_of(soup), leaf_size);
     std::vector<int> seen(soup.size());
     for (const BinaryNode& node : tree.nodes) {
       EXPECT_EQ(node.left < 0, node.right < 0);
@@ -246,7 +297,7 @@ TEST(BinaryBvh, PartsWhatIsFarApart) {
   Soup soup = random_soup(64, 5);
   for (std::size_t i = 0; i < soup.size(); i += 2)
     for (Packed3& p : soup[i].p) p.y += 1000;
-  const BinaryBvh tree = bvh_build_binary(soup, 4);
+  const BinaryBvh tree = bvh_build_binary(boxes_of(soup), 4);
   const BinaryNode &left = tree.nodes.at(tree.nodes.at(0).left), &right = tree.nodes.at(tree.nodes.at(0).right);
   EXPECT_EQ(left.count, 32u);
   EXPECT_EQ(right.count, 32u);
@@ -279,7 +330,8 @@ BinaryBvh comb(int depth) {
 
 TEST(BvhStack, TheWalkSeesWhatACombNeeds) {
   const Soup soup(31, triangle({0, 0, 0}, {0.5f, 0, 0}, {0, 0.5f, 0}));
-  const FlatBvh bvh = bvh_collapse(comb(30), soup, 4);
+  FlatBvh bvh;
+  EXPECT_EQ(bvh_collapse(bvh, comb(30), soup, 0, 4), 0);
   Walk walk(bvh, soup, 4);
   walk.run();
   EXPECT_EQ(walk.stack(), 31);  // ten nodes of four children, each with three that wait
@@ -287,7 +339,10 @@ TEST(BvhStack, TheWalkSeesWhatACombNeeds) {
 
 TEST(BvhStack, ATreeThatNeedsMoreIsRefused) {
   const Soup soup(200, triangle({0, 0, 0}, {0.5f, 0, 0}, {0, 0.5f, 0}));
-  for (const int width : {4, 8, 16}) EXPECT_THROW(bvh_collapse(comb(199), soup, width), std::runtime_error) << width;
+  for (const int width : {4, 8, 16}) {
+    FlatBvh bvh;
+    EXPECT_THROW(bvh_collapse(bvh, comb(199), soup, 0, width), std::runtime_error) << width;
+  }
 }
 
 }  // namespace

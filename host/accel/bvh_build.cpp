@@ -1,0 +1,65 @@
+// Triangles → binary tree → wide one, with the blocks of its leaves; and the same over boxes.
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "accel/bvh.hpp"
+#include "base/error.hpp"
+
+namespace brume {
+
+namespace {
+
+BvhBox box_of(const Triangle& t) {
+  const auto& [a, b, c] = t.p;
+  return {{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
+          {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
+}
+
+// Appends the blocks of so many triangles, which `triangle(k)` numbers; the link to them.
+template <class Numbers>
+std::int32_t blocks_append(FlatBvh& bvh, const std::vector<Triangle>& triangles, std::uint32_t triangle_count,
+                           int width, const Numbers& triangle) {
+  const std::size_t first = bvh.ids.size() / width, count = (triangle_count + width - 1) / width;
+  if (first >= (1u << 27) || count > BVH_LEAF_BLOCKS_MAX)
+    throw RuntimeError("the BVH has " + std::to_string(first) + " leaf blocks; allowed are " + std::to_string(1 << 27));
+  bvh.ids.resize(bvh.ids.size() + count * width, -1);
+  bvh.blocks.resize(bvh.blocks.size() + count * 9 * width, 0.0f);
+  for (std::uint32_t k = 0; k < triangle_count; ++k) {
+    const std::size_t block = first + k / width, lane = k % width;
+    bvh.ids[block * width + lane] = static_cast<std::int32_t>(triangle(k));
+    const float* p = &triangles[triangle(k)].p[0].x;
+    for (int run = 0; run < 9; ++run) bvh.blocks[(block * 9 + run) * width + lane] = p[run];
+  }
+  return ~static_cast<std::int32_t>(first * 16 + count);
+}
+
+}  // namespace
+
+int bvh_collapse(FlatBvh& bvh, const BinaryBvh& tree, const std::vector<Triangle>& triangles, std::size_t first,
+                 int width) {
+  return bvh_collapse(bvh, tree, width, [&](const BinaryNode& leaf) {
+    return blocks_append(bvh, triangles, leaf.count, width,
+                         [&](std::uint32_t k) { return first + tree.order[leaf.first + k]; });
+  });
+}
+
+int bvh_append(FlatBvh& bvh, const std::vector<Triangle>& triangles, std::size_t first, int width) {
+  std::vector<BvhBox> boxes(triangles.size() - first);
+  std::transform(triangles.begin() + static_cast<std::ptrdiff_t>(first), triangles.end(), boxes.begin(), box_of);
+  return bvh_collapse(bvh, bvh_build_binary(boxes, width), triangles, first, width);
+}
+
+int bvh_append_boxes(FlatBvh& bvh, const std::vector<BvhBox>& boxes, int width) {
+  const BinaryBvh tree = bvh_build_binary(boxes, 1);
+  return bvh_collapse(bvh, tree, width,
+                      [&](const BinaryNode& leaf) { return ~static_cast<std::int32_t>(tree.order[leaf.first]); });
+}
+
+FlatBvh bvh_build(const std::vector<Triangle>& triangles, int width) {
+  FlatBvh bvh;
+  if (!triangles.empty()) bvh_append(bvh, triangles, 0, width);
+  return bvh;
+}
+
+}  // namespace brume

@@ -46,9 +46,7 @@ struct FlatScene {
   std::vector<Triangle> triangles;
   int bvh_width = 4;
   std::vector<float> bvh_nodes;  // layout: shared/bvh.h
-  std::vector<std::int32_t> bvh_links;
   std::vector<float> bvh_blocks;
-  std::vector<std::int32_t> bvh_ids;
 
   std::vector<BrickGrid> grids;
   std::vector<PlacedGrid> placed;  // their densities, of a grid or constant

@@ -5,39 +5,45 @@
 #include "lib/scene.cl"
 #include "shapes/triangle.cl"
 
-// Of the planes that a ray meets first and last: 1 / direction, and -origin / direction.
+// Of the planes that a ray meets first and last: 1 / direction, -origin / direction, and where in a node they are.
 typedef struct {
   float3 near, near_start, far, far_start;
-  size_t near_x, near_y, near_z;  // where in a node the plane is that the ray meets first
-  size_t far_x, far_y, far_z;
+  size_t near_x, near_y, near_z, far_x, far_y, far_z;
 } BoxRay;
 
 // A zero component becomes tiny instead: the slab then either contains the ray for all t that matter or for none,
 // without NaN.
-static inline float safe_inverse(float d) { return 1.0f / (fabs(d) < 1e-18f ? copysign(1e-18f, d) : d); }
+#define DIRECTION_LEAST 1e-18f
+static inline float safe_inverse(float d) {
+  return 1.0f / (fabs(d) < DIRECTION_LEAST ? copysign(DIRECTION_LEAST, d) : d);
+}
 
 // plane / d - origin / d is off by the roundings of both quotients, 2 γ(2) of the larger one, which is the other or t;
 // boxes are entered earlier and left later by that of the other, and earlier by twice that of t [Ize13].
-static inline BoxRay box_ray(float3 origin, float3 dir) {
+static inline BoxRay box_ray_between(float3 near_origin, float3 far_origin, float3 inverse) {
   BoxRay r;
-  r.far = (float3)(safe_inverse(dir.x), safe_inverse(dir.y), safe_inverse(dir.z));
-  r.near = r.far * (1.0f - 0x1p-20f);
-  const float3 off = 0x1p-21f * fabs(origin * r.far);
-  r.near_start = -origin * r.near - off;
-  r.far_start = -origin * r.far + off;
-  r.near_x = (r.far.x < 0.0f ? 3 : 0) * BRUME_BVH_WIDTH;
-  r.near_y = (r.far.y < 0.0f ? 4 : 1) * BRUME_BVH_WIDTH;
-  r.near_z = (r.far.z < 0.0f ? 5 : 2) * BRUME_BVH_WIDTH;
+  r.far = inverse;
+  r.near = inverse * (1.0f - 0x1p-20f);
+  r.near_start = -near_origin * r.near - 0x1p-21f * fabs(near_origin * inverse);
+  r.far_start = -far_origin * inverse + 0x1p-21f * fabs(far_origin * inverse);
+  r.near_x = (inverse.x < 0.0f ? 3 : 0) * BRUME_BVH_WIDTH;
+  r.near_y = (inverse.y < 0.0f ? 4 : 1) * BRUME_BVH_WIDTH;
+  r.near_z = (inverse.z < 0.0f ? 5 : 2) * BRUME_BVH_WIDTH;
   r.far_x = 3 * BRUME_BVH_WIDTH - r.near_x;
   r.far_y = 5 * BRUME_BVH_WIDTH - r.near_y;
   r.far_z = 7 * BRUME_BVH_WIDTH - r.near_z;
   return r;
 }
 
+static inline BoxRay box_ray(float3 origin, float3 dir) {
+  return box_ray_between(origin, origin, (float3)(safe_inverse(dir.x), safe_inverse(dir.y), safe_inverse(dir.z)));
+}
+
 // Which of the boxes of a group are hit before t_max, and where they are entered.
+#define BOX_PLANE(r, plane, side, axis) \
+  mad_exact(plane, (BvhLanes)((r)->side.axis), (BvhLanes)((r)->side##_start.axis))
 static inline BvhMask box_hits(const BoxRay* r, __global const float* node, float t_max, BvhLanes* enter) {
-#define PLANE(side, axis) \
-  mad_exact(bvh_load(node + r->side##_##axis), (BvhLanes)(r->side.axis), (BvhLanes)(r->side##_start.axis))
+#define PLANE(side, axis) BOX_PLANE(r, bvh_load(node + r->side##_##axis), side, axis)
   const BvhLanes first = fmax_ordered(PLANE(near, x), PLANE(near, y));
   const BvhLanes last = fmin_ordered(PLANE(far, x), PLANE(far, y));
   *enter = fmax_ordered(first, fmax_ordered(PLANE(near, z), (BvhLanes)(0.0f)));
@@ -50,6 +56,28 @@ typedef struct {
   int link;
 } BvhEntry;
 
+// Of those children of a group that are hit, and *nearest, the nearest; the others wait on the stack.
+static inline void bvh_stack(BvhMask mask, BvhLanes enter, __global const int* links, BvhEntry* nearest,
+                             BvhEntry* stack, int* top) {
+  if (mask == 0) return;
+  float t[BVH_LANES];
+  bvh_store(enter, t);
+  for (; mask != 0; mask &= mask - 1) {
+    const int lane = bvh_lowest(mask);
+    BvhEntry entry = {t[lane], links[lane]};
+    if (nearest->link == BVH_ABSENT) {
+      *nearest = entry;
+      continue;
+    }
+    if (entry.t < nearest->t) {
+      const BvhEntry before = *nearest;
+      *nearest = entry;
+      entry = before;
+    }
+    stack[(*top)++] = entry;
+  }
+}
+
 // The nearest hit child of a node, BVH_ABSENT for none; the others wait on the stack.
 static inline int bvh_open(const Scene* scene, const BoxRay* box, int node, float t_max, BvhEntry* stack, int* top) {
   __global const float* boxes = scene->bvh_nodes + (size_t)node * BVH_NODE_FLOATS(BRUME_BVH_WIDTH);
@@ -57,24 +85,8 @@ static inline int bvh_open(const Scene* scene, const BoxRay* box, int node, floa
   BvhEntry nearest = {INFINITY, BVH_ABSENT};
   for (int group = 0; group < BRUME_BVH_WIDTH; group += BVH_LANES) {
     BvhLanes enter;
-    BvhMask mask = box_hits(box, boxes + group, t_max, &enter);
-    if (mask == 0) continue;
-    float t[BVH_LANES];
-    bvh_store(enter, t);
-    for (; mask != 0; mask &= mask - 1) {
-      const int lane = bvh_lowest(mask);
-      BvhEntry entry = {t[lane], links[group + lane]};
-      if (nearest.link == BVH_ABSENT) {
-        nearest = entry;
-        continue;
-      }
-      if (entry.t < nearest.t) {
-        const BvhEntry before = nearest;
-        nearest = entry;
-        entry = before;
-      }
-      stack[(*top)++] = entry;
-    }
+    const BvhMask mask = box_hits(box, boxes + group, t_max, &enter);
+    bvh_stack(mask, enter, links + group, &nearest, stack, top);
   }
   return nearest.link;
 }

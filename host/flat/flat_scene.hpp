@@ -44,7 +44,7 @@ struct FlatScene {
   std::vector<Isosurface> isosurfaces;
   std::vector<uint> iso_masks;  // which cells of a brick each of them may cross
   std::vector<Triangle> triangles;
-  int bvh_width = 4;
+  int bvh_width = 4, bvh_rule = BVH_SAH;
   std::vector<float> bvh_nodes;  // layout: shared/bvh.h
   std::vector<float> bvh_blocks;
 

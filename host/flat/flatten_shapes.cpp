@@ -187,7 +187,7 @@ void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene) {
   }
   if (dropped > 0)
     scene.notes.push_back(std::to_string(dropped) + " triangles have no area in single precision and are left out");
-  FlatBvh bvh = bvh_build(scene.triangles, scene.bvh_width);
+  FlatBvh bvh = bvh_build(scene.triangles, scene.bvh_width, scene.bvh_rule);
   scene.bvh_nodes = std::move(bvh.nodes);
   scene.bvh_blocks = std::move(bvh.blocks);
 }

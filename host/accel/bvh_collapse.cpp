@@ -1,5 +1,5 @@
-// Binary → wide: a node takes in its largest child until it has `width` of them [Wald08]; leaves become blocks of
-// triangles. Every child but one waits on the traversal's stack: where a deep tree would overflow it, nodes take in
+// Binary → wide: of all ways to take nodes together in wide ones, that which rays pay the least for, from the leaves up
+// [Ylitie17]. Every child but one waits on the traversal's stack: where a deep tree would overflow it, nodes take in
 // fewer.
 #include <algorithm>
 #include <limits>
@@ -7,6 +7,7 @@
 
 #include "accel/bvh.hpp"
 #include "base/error.hpp"
+#include "base/float_bits.hpp"
 
 namespace brume {
 
@@ -14,17 +15,17 @@ namespace {
 
 class Collapse {
  public:
-  Collapse(const BinaryBvh& tree, const std::vector<Triangle>& triangles, int width)
-      : tree_(tree), triangles_(triangles), width_(width) {}
+  Collapse(FlatBvh& out, const BinaryBvh& tree, int width, const LeafLink& leaf)
+      : out_(out), tree_(tree), width_(width), leaf_(leaf) {}
 
-  FlatBvh run() {
-    if (tree_.nodes.empty()) return {};
+  std::int32_t run() {
     heights_find();
-    node_add(0);
+    costs_find();
+    const std::int32_t root = node_add(0);
     if (stack_need_ > BVH_STACK)
       throw RuntimeError("the BVH needs a traversal stack of " + std::to_string(stack_need_) +
                          " entries; allowed are " + std::to_string(BVH_STACK));
-    return std::move(out_);
+    return root;
   }
 
  private:
@@ -41,79 +42,100 @@ class Collapse {
     return std::clamp(BVH_STACK - pending - (heights_[root] - 1), 2, width_);
   }
 
-  std::vector<std::int32_t> children_open(std::int32_t root, int pending) const {
-    std::vector<std::int32_t> open{root};
-    if (tree_.nodes[root].left < 0) return open;
-    const int most = children_max(root, pending);
-    while (static_cast<int>(open.size()) < most) {
-      std::size_t largest = open.size();
-      for (std::size_t i = 0; i < open.size(); ++i)
-        if (tree_.nodes[open[i]].left >= 0 &&
-            (largest == open.size() || tree_.nodes[open[i]].area() > tree_.nodes[open[largest]].area()))
-          largest = i;
-      if (largest == open.size()) break;
-      const std::int32_t node = open[largest];
-      open[largest] = tree_.nodes[node].left;
-      open.push_back(tree_.nodes[node].right);
+  // cost(node, k): of what lies below, as at most k children of a wide node; a child is a leaf, which costs nothing
+  // here, or a wide node itself, which every ray through it pays for once.
+  float& cost(std::size_t node, int k) { return costs_[node * static_cast<std::size_t>(width_) + k - 1]; }
+
+  // How many of k children the left part takes at best; 0: fewer than k cost as little.
+  int left_share(const BinaryNode& node, int k, float least, float& best) {
+    int share = 0;
+    best = least;
+    for (int left = 1; left < k; ++left) {
+      const float both = cost(node.left, left) + cost(node.right, k - left);
+      if (both < best) {
+        best = both;
+        share = left;
+      }
     }
-    return open;
+    return share;
+  }
+
+  void costs_find() {
+    costs_.assign(tree_.nodes.size() * static_cast<std::size_t>(width_), 0.0f);
+    for (std::size_t i = tree_.nodes.size(); i-- > 0;) {
+      const BinaryNode& node = tree_.nodes[i];
+      if (node.left < 0) continue;
+      float opened = 0;
+      left_share(node, width_, std::numeric_limits<float>::infinity(), opened);
+      cost(i, 1) = node.area() + opened;
+      for (int k = 2; k <= width_; ++k) left_share(node, k, cost(i, k - 1), cost(i, k));
+    }
+  }
+
+  // The children of a wide node below `node`, at most k of them.
+  void children_add(std::int32_t number, int k, std::vector<std::int32_t>& children) {
+    const BinaryNode& node = tree_.nodes[number];
+    float best = 0;
+    while (k > 1 && node.left >= 0) {
+      if (const int left = left_share(node, k, cost(number, k - 1), best)) {
+        children_add(node.left, left, children);
+        children_add(node.right, k - left, children);
+        return;
+      }
+      --k;
+    }
+    children.push_back(number);
+  }
+
+  std::vector<std::int32_t> children_of(std::int32_t root, int pending) {
+    const BinaryNode& node = tree_.nodes[root];
+    if (node.left < 0) return {root};
+    std::vector<std::int32_t> children;
+    float best = 0;
+    const int most = children_max(root, pending);
+    const int left = left_share(node, most, std::numeric_limits<float>::infinity(), best);
+    children_add(node.left, left, children);
+    children_add(node.right, most - left, children);
+    return children;
   }
 
   // Appends the wide node under a binary one and returns its number. `pending` counts entries that may wait on the
   // stack above it.
   std::int32_t node_add(std::int32_t root, int pending = 0) {
-    const auto number = static_cast<std::int32_t>(out_.links.size() / width_);
-    const float inf = std::numeric_limits<float>::infinity();
-    out_.links.resize(out_.links.size() + width_, BVH_ABSENT);
-    for (int run = 0; run < 6; ++run) out_.nodes.insert(out_.nodes.end(), width_, run < 3 ? inf : -inf);
-    const std::vector<std::int32_t> children = children_open(root, pending);
+    const std::size_t at = out_.nodes.size();
+    const auto number = static_cast<std::int32_t>(at / BVH_NODE_FLOATS(std::size_t(width_)));
+    const float inf = std::numeric_limits<float>::infinity(), absent = bits_as_float(BVH_ABSENT);
+    for (int run = 0; run < 7; ++run)
+      out_.nodes.insert(out_.nodes.end(), width_, run < 3 ? inf : run < 6 ? -inf : absent);
+    const std::vector<std::int32_t> children = children_of(root, pending);
     const int waiting = pending + static_cast<int>(children.size()) - 1;  // one child is popped, the others wait
     stack_need_ = std::max(stack_need_, waiting + 1);
     for (std::size_t lane = 0; lane < children.size(); ++lane) {
       const BinaryNode& child = tree_.nodes[children[lane]];
+      const std::size_t first = at + lane;
       for (int axis = 0; axis < 3; ++axis) {
-        out_.nodes[(6 * std::size_t(number) + axis) * width_ + lane] = child.lo[axis];
-        out_.nodes[(6 * std::size_t(number) + 3 + axis) * width_ + lane] = child.hi[axis];
+        out_.nodes[first + std::size_t(axis) * width_] = child.lo[axis];
+        out_.nodes[first + std::size_t(3 + axis) * width_] = child.hi[axis];
       }
-      const std::int32_t link = child.left < 0 ? leaf_add(child) : node_add(children[lane], waiting);
-      out_.links[std::size_t(number) * width_ + lane] = link;
+      const std::int32_t link = child.left < 0 ? leaf_(child) : node_add(children[lane], waiting);
+      out_.nodes[first + std::size_t(6) * width_] = bits_as_float(link);
     }
     return number;
   }
 
-  std::int32_t leaf_add(const BinaryNode& leaf) {
-    const std::size_t first = out_.ids.size() / width_, count = (leaf.count + width_ - 1) / width_;
-    if (first >= (1u << 27) || count > BVH_LEAF_BLOCKS_MAX)
-      throw RuntimeError("the BVH has " + std::to_string(first) + " leaf blocks; allowed are " +
-                         std::to_string(1 << 27));
-    out_.ids.resize(out_.ids.size() + count * width_, -1);
-    out_.blocks.resize(out_.blocks.size() + count * 9 * width_, 0.0f);
-    for (std::uint32_t k = 0; k < leaf.count; ++k) {
-      const std::uint32_t triangle = tree_.order[leaf.first + k];
-      const std::size_t block = first + k / width_, lane = k % width_;
-      out_.ids[block * width_ + lane] = static_cast<std::int32_t>(triangle);
-      const float* p = &triangles_[triangle].p[0].x;
-      for (int run = 0; run < 9; ++run) out_.blocks[(block * 9 + run) * width_ + lane] = p[run];
-    }
-    return ~static_cast<std::int32_t>(first * 16 + count);
-  }
-
+  FlatBvh& out_;
   const BinaryBvh& tree_;
-  const std::vector<Triangle>& triangles_;
   int width_;
+  const LeafLink& leaf_;
   int stack_need_ = 0;
+  std::vector<float> costs_;
   std::vector<int> heights_;  // of every binary node: levels below it
-  FlatBvh out_;
 };
 
 }  // namespace
 
-FlatBvh bvh_collapse(const BinaryBvh& tree, const std::vector<Triangle>& triangles, int width) {
-  return Collapse(tree, triangles, width).run();
-}
-
-FlatBvh bvh_build(const std::vector<Triangle>& triangles, int width) {
-  return bvh_collapse(bvh_build_binary(triangles, width), triangles, width);
+int bvh_collapse(FlatBvh& bvh, const BinaryBvh& tree, int width, const LeafLink& leaf) {
+  return Collapse(bvh, tree, width, leaf).run();
 }
 
 }  // namespace brume

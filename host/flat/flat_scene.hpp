@@ -44,11 +44,9 @@ struct FlatScene {
   std::vector<Isosurface> isosurfaces;
   std::vector<uint> iso_masks;  // which cells of a brick each of them may cross
   std::vector<Triangle> triangles;
-  int bvh_width = 4;
+  int bvh_width = 4, bvh_rule = BVH_SAH;
   std::vector<float> bvh_nodes;  // layout: shared/bvh.h
-  std::vector<std::int32_t> bvh_links;
   std::vector<float> bvh_blocks;
-  std::vector<std::int32_t> bvh_ids;
 
   std::vector<BrickGrid> grids;
   std::vector<PlacedGrid> placed;  // their densities, of a grid or constant

@@ -187,11 +187,9 @@ void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene) {
   }
   if (dropped > 0)
     scene.notes.push_back(std::to_string(dropped) + " triangles have no area in single precision and are left out");
-  FlatBvh bvh = bvh_build(scene.triangles, scene.bvh_width);
+  FlatBvh bvh = bvh_build(scene.triangles, scene.bvh_width, scene.bvh_rule);
   scene.bvh_nodes = std::move(bvh.nodes);
-  scene.bvh_links = std::move(bvh.links);
   scene.bvh_blocks = std::move(bvh.blocks);
-  scene.bvh_ids = std::move(bvh.ids);
 }
 
 }  // namespace brume

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "shared/bvh.h"
 #include "shared/camera.h"
 #include "shared/frame.h"
 #include "shared/light.h"
@@ -261,6 +262,7 @@ struct RenderDesc {
   int max_depth = 5;
   double cutoff = 1e-5;                // reflected and refracted rays that weigh less are dropped
   std::optional<int> shadow_of_glass;  // opaque, but clear where a liquid is a surface
+  int bvh = BVH_SAH;
   int seed = 0;
   std::optional<double> max_error;    // settings of the media are chosen that reach it soonest, in error_metric,
   std::optional<double> time_budget;  // or that come closest in so many seconds; never both

@@ -83,6 +83,7 @@ RenderDesc read_render(const JsonValue& scene) {
   r.cutoff = render.number("cutoff", r.cutoff, Range::closed(0, 1));
   if (render.has("shadow_of_glass"))
     r.shadow_of_glass = render.get("shadow_of_glass").as_member(glass_shadow_family(), "shadow of glass");
+  r.bvh = render.member("bvh", r.bvh, bvh_family(), "rule of the BVH");
   r.seed = render.integer("seed", r.seed, 0, 0x7fffffff);
   const auto goal = [&](const char* key, std::optional<double>& value) {
     if (render.has(key) && !render.get(key).json().is_null()) value = render.get(key).as_number(Range::positive());

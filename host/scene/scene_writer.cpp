@@ -185,6 +185,7 @@ Json render_json(const RenderDesc& r) {
             {"roulette", r.roulette},
             {"max_depth", r.max_depth},
             {"cutoff", number(r.cutoff)},
+            {"bvh", family_name(bvh_family(), r.bvh)},
             {"seed", r.seed}};
   if (r.distance) json["distance"] = number(*r.distance);
   if (r.light_picks != LIGHT_PICKS_AUTO) json["light_picks"] = r.light_picks;

@@ -8,6 +8,7 @@
 #include "materials/surface.cl"
 #include "media/scatter.cl"
 #include "shapes/cell_crossing.cl"
+#include "shapes/together.cl"
 #include "shared/aov.h"
 #include "shared/layout.h"
 
@@ -63,6 +64,27 @@ PROBE(probe_hit) {
   out[4 * item + 1] = as_float(hit.primitive);
   out[4 * item + 2] = hit.u;
   out[4 * item + 3] = hit.v;
+}
+
+// The same for t_max = INFINITY, by W rays at once.
+PROBE(probe_hit_together) {
+  PROBE_ITEM;
+#if W > 1
+  if (item % W != 0) return;
+  RayLanes rays;
+  for (uint i = 0; i < W; ++i) {
+    __global const float* v = in + 7 * min(item + i, count - 1);
+    ray_lane_set(&rays, i, probe_load3(v), probe_load3(v + 3));
+  }
+  rays_hit(&scene, &rays);
+  for (uint i = 0; i < min((uint)W, count - item); ++i) {
+    const Hit hit = rays.hit[i];
+    out[4 * (item + i)] = hit.t;
+    out[4 * (item + i) + 1] = as_float(hit.primitive);
+    out[4 * (item + i) + 2] = hit.u;
+    out[4 * (item + i) + 3] = hit.v;
+  }
+#endif
 }
 
 // in: origin, direction, t_max. out: 1 when something is hit before t_max

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <functional>
 #include <random>
 
 #include "accel/bvh.hpp"
+#include "base/float_bits.hpp"
 
 namespace brume {
 namespace {
@@ -98,13 +100,11 @@ class Walk {
 
   void run() {
     const std::size_t w = width_;
-    ASSERT_FALSE(bvh_.links.empty());
-    ASSERT_EQ(bvh_.links.size() % w, 0u);
-    ASSERT_EQ(bvh_.nodes.size(), bvh_.links.size() * 6);
-    ASSERT_EQ(bvh_.ids.size() % w, 0u);
-    ASSERT_EQ(bvh_.blocks.size(), bvh_.ids.size() * 9);
-    nodes_.assign(bvh_.links.size() / w, 0);
-    blocks_.assign(bvh_.ids.size() / w, 0);
+    ASSERT_FALSE(bvh_.nodes.empty());
+    ASSERT_EQ(bvh_.nodes.size() % (7 * w), 0u);
+    ASSERT_EQ(bvh_.blocks.size() % (10 * w), 0u);
+    nodes_.assign(bvh_.nodes.size() / (7 * w), 0);
+    blocks_.assign(bvh_.blocks.size() / (10 * w), 0);
     inner(0, 0);
     for (std::size_t i = 0; i < seen_.size(); ++i) EXPECT_EQ(seen_[i], 1) << "triangle " << i;
     for (std::size_t i = 0; i < nodes_.size(); ++i) EXPECT_EQ(nodes_[i], 1) << "node " << i;
@@ -115,8 +115,11 @@ class Walk {
 
  private:
   Box box(int node, int lane) const {
-    const auto value = [&](int run) { return bvh_.nodes[(std::size_t(node) * 6 + run) * width_ + lane]; };
+    const auto value = [&](int run) { return bvh_.nodes[(std::size_t(node) * 7 + run) * width_ + lane]; };
     return {{value(0), value(1), value(2)}, {value(3), value(4), value(5)}};
+  }
+  int link_of(int node, int lane) const {
+    return float_as_bits(bvh_.nodes[(std::size_t(node) * 7 + 6) * width_ + lane]);
   }
 
   // Returns the triangles below. `waiting`: entries on the stack while this node is opened. A ray may hit every child;
@@ -126,11 +129,11 @@ class Walk {
     EXPECT_LT(static_cast<std::size_t>(node), nodes_.size());
     if (static_cast<std::size_t>(node) >= nodes_.size() || nodes_[node]++ > 0) return below;
     int children = 0;
-    for (int lane = 0; lane < width_; ++lane) children += bvh_.links[std::size_t(node) * width_ + lane] != BVH_ABSENT;
+    for (int lane = 0; lane < width_; ++lane) children += link_of(node, lane) != BVH_ABSENT;
     EXPECT_GE(children, 1);
     stack_ = std::max(stack_, waiting + children);
     for (int lane = 0; lane < width_; ++lane) {
-      const int link = bvh_.links[std::size_t(node) * width_ + lane];
+      const int link = link_of(node, lane);
       const Box b = box(node, lane);
       if (link == BVH_ABSENT) {
         for (int axis = 0; axis < 3; ++axis) {
@@ -158,11 +161,12 @@ class Walk {
     for (int block = first; block < first + count; ++block) {
       ++blocks_[block];
       for (int lane = 0; lane < width_; ++lane) {
-        const int id = bvh_.ids[std::size_t(block) * width_ + lane];
+        const float* const values = &bvh_.blocks[std::size_t(block) * 10 * width_ + lane];
+        const int id = float_as_bits(values[9 * width_]);
         EXPECT_GE(id, -1);
         EXPECT_LT(id, static_cast<int>(soup_.size()));
         for (int run = 0; run < 9; ++run) {
-          const float value = bvh_.blocks[(std::size_t(block) * 9 + run) * width_ + lane];
+          const float value = values[run * width_];
           if (id < 0) {
             EXPECT_EQ(value, 0.0f);
           } else {
@@ -192,40 +196,116 @@ class Walk {
   std::vector<int> seen_, nodes_, blocks_;  // how often each was met
 };
 
+// Of floats that are numbers of nodes and triangles too.
+bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
+
+// The last run of each record: links of nodes, ids of blocks.
+std::vector<int> last_runs(const std::vector<float>& records, int runs, int width) {
+  std::vector<int> out;
+  for (std::size_t i = 0; i < records.size(); ++i)
+    if (static_cast<int>(i) / width % runs == runs - 1) out.push_back(float_as_bits(records[i]));
+  return out;
+}
+
 class Bvh : public testing::TestWithParam<int> {};
 
 TEST_P(Bvh, HoldsEveryTriangleOnceWithinItsBoxes) {
   for (const Case& c : CASES)
-    for (const int count : {1, 2, 5, 200, 2000}) {
-      SCOPED_TRACE(std::string(c.name) + " " + std::to_string(count));
-      const Soup soup = c.make(count);
-      const FlatBvh bvh = bvh_build(soup, GetParam());
-      Walk(bvh, soup, GetParam()).run();
-      if (HasFailure()) return;
-    }
+    for (const int count : {1, 2, 5, 200, 2000})
+      for (int rule = 0; rule < BVH_RULES; ++rule) {
+        SCOPED_TRACE(std::string(c.name) + " " + std::to_string(count) + " by rule " + std::to_string(rule));
+        const Soup soup = c.make(count);
+        const FlatBvh bvh = bvh_build(soup, GetParam(), rule);
+        Walk(bvh, soup, GetParam()).run();
+        if (HasFailure()) return;
+      }
 }
 
 TEST_P(Bvh, IsEmptyWithoutTriangles) {
   const FlatBvh bvh = bvh_build({}, GetParam());
-  EXPECT_TRUE(bvh.nodes.empty() && bvh.links.empty() && bvh.blocks.empty() && bvh.ids.empty());
+  EXPECT_TRUE(bvh.nodes.empty() && bvh.blocks.empty());
 }
 
+// Equal middles, which no rule parts: halved.
+TEST_P(Bvh, EndsForAMillionOfTheSame) {
+  const Soup soup(1000000, triangle({1, 2, 3}, {2, 2, 3}, {1, 3, 3}));
+  for (int rule = 0; rule < BVH_RULES; ++rule) {
+    const FlatBvh bvh = bvh_build(soup, GetParam(), rule);
+    EXPECT_LE(bvh_measure(bvh, 0, GetParam()).depth, 20);
+    const std::vector<int> ids = last_runs(bvh.blocks, 10, GetParam());
+    EXPECT_EQ(std::count_if(ids.begin(), ids.end(), [](int id) { return id >= 0; }), 1000000);
+  }
+}
+
+// Built on several threads.
 TEST_P(Bvh, IsTheSameEveryTime) {
-  const Soup soup = random_soup(500, 3);
+  const Soup soup = random_soup(20000, 3);
   const FlatBvh a = bvh_build(soup, GetParam()), b = bvh_build(soup, GetParam());
-  EXPECT_EQ(a.nodes, b.nodes);
-  EXPECT_EQ(a.links, b.links);
-  EXPECT_EQ(a.blocks, b.blocks);
-  EXPECT_EQ(a.ids, b.ids);
+  EXPECT_TRUE(same_bits(a.nodes, b.nodes));
+  EXPECT_TRUE(same_bits(a.blocks, b.blocks));
 }
 
-INSTANTIATE_TEST_SUITE_P(Widths, Bvh, testing::Values(4, 8, 16), testing::PrintToStringParamName());
+// Two soups, one behind the other: links, ids and the root of the second count from the start of all.
+TEST_P(Bvh, StandsBehindAnother) {
+  const int w = GetParam();
+  Soup soup = random_soup(300, 5);
+  const FlatBvh alone = bvh_build(soup, GetParam());
+  const Soup more = random_soup(70, 6);
+  const FlatBvh other = bvh_build(more, GetParam());
+  FlatBvh both = alone;
+  soup.insert(soup.end(), more.begin(), more.end());
+  const int root = bvh_append(both, soup, 300, GetParam());
+  const auto links = [w](const FlatBvh& bvh) { return last_runs(bvh.nodes, 7, w); };
+  const auto ids = [w](const FlatBvh& bvh) { return last_runs(bvh.blocks, 10, w); };
+  const int blocks = static_cast<int>(ids(alone).size()) / w;
+  EXPECT_EQ(root, static_cast<int>(links(alone).size()) / w);
+  std::vector<int> expected_links = links(alone), expected_ids = ids(alone);
+  for (const int link : links(other))
+    expected_links.push_back(link == BVH_ABSENT ? BVH_ABSENT : link < 0 ? ~(~link + 16 * blocks) : link + root);
+  for (const int id : ids(other)) expected_ids.push_back(id < 0 ? -1 : id + 300);
+  EXPECT_EQ(links(both), expected_links);
+  EXPECT_EQ(ids(both), expected_ids);
+}
+
+TEST_P(Bvh, HoldsEveryBoxOnce) {
+  for (const int count : {1, 2, 5, 2000}) {
+    std::vector<BvhBox> boxes;
+    for (int i = 0; i < count; ++i) {
+      const float x = static_cast<float>(i * 7 % count);
+      boxes.push_back({{x, 0, 0}, {x + 1, 1, x}});
+    }
+    FlatBvh bvh;
+    EXPECT_EQ(bvh_append_boxes(bvh, boxes, GetParam()), 0);
+    std::vector<int> seen(boxes.size());
+    for (const int link : last_runs(bvh.nodes, 7, GetParam()))
+      if (link < 0) ++seen.at(static_cast<std::size_t>(~link));
+    EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), count);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Widths, Bvh, testing::Values(4, 8), testing::PrintToStringParamName());
+
+std::vector<BvhBox> boxes_of(const Soup& soup) {
+  std::vector<BvhBox> boxes;
+  for (const Triangle& t : soup) {
+    BvhBox box;
+    for (int axis = 0; axis < 3; ++axis) {
+      const float p[3] = {(&t.p[0].x)[axis], (&t.p[1].x)[axis], (&t.p[2].x)[axis]};
+      box.lo[axis] = *std::min_element(p, p + 3);
+      box.hi[axis] = *std::max_element(p, p + 3);
+    }
+    boxes.push_back(box);
+  }
+  return boxes;
+}
 
 // A leaf takes no more triangles than one block has lanes.
 TEST(BinaryBvh, LeavesPartitionTheTriangles) {
   const Soup soup = random_soup(777, 11);
   for (const int leaf_size : {1, 4, 16}) {
-    const BinaryBvh tree = bvh_build_binary(soup, leaf_size);
+    const BinaryBvh tree = bvh_build_binary(boxes_of(soup), leaf_size);
     std::vector<int> seen(soup.size());
     for (const BinaryNode& node : tree.nodes) {
       EXPECT_EQ(node.left < 0, node.right < 0);
@@ -241,12 +321,31 @@ TEST(BinaryBvh, LeavesPartitionTheTriangles) {
   }
 }
 
+// Two triangles side by side, each in its own box of half of all: the root and two blocks, seen by half of the rays each.
+TEST(BvhMeasure, CountsNodesAndBlocksByTheRaysThatMeetThem) {
+  Soup soup(8, triangle({0, 0, 0}, {1, 1, 1}, {0, 1, 0}));
+  for (int i = 0; i < 8; ++i) soup.push_back(triangle({1, 0, 0}, {2, 1, 1}, {1, 1, 0}));
+  const BvhMeasure measure = bvh_measure(bvh_build(soup, 8), 0, 8);
+  EXPECT_EQ(measure.depth, 1);
+  EXPECT_DOUBLE_EQ(measure.sah_cost, 1 + 2 * 0.5 * 3.0 / 5.0);  // areas: 6 of 10
+}
+
+// What rules are for: on the same soup the later rows of the table cost less.
+TEST(BvhMeasure, OrdersTheRules) {
+  const Soup soup = random_soup(5000, 4);
+  double cost[BVH_RULES];
+  for (int rule = 0; rule < BVH_RULES; ++rule) cost[rule] = bvh_measure(bvh_build(soup, 8, rule), 0, 8).sah_cost;
+  EXPECT_GT(cost[BVH_LIST], 300);  // half of its 625 blocks and more
+  EXPECT_LT(cost[BVH_MIDPOINT], cost[BVH_LIST] / 5);
+  EXPECT_LT(cost[BVH_SAH], cost[BVH_MIDPOINT]);
+}
+
 // Two clusters far apart: a builder that looks at areas parts them at the root.
 TEST(BinaryBvh, PartsWhatIsFarApart) {
   Soup soup = random_soup(64, 5);
   for (std::size_t i = 0; i < soup.size(); i += 2)
     for (Packed3& p : soup[i].p) p.y += 1000;
-  const BinaryBvh tree = bvh_build_binary(soup, 4);
+  const BinaryBvh tree = bvh_build_binary(boxes_of(soup), 4);
   const BinaryNode &left = tree.nodes.at(tree.nodes.at(0).left), &right = tree.nodes.at(tree.nodes.at(0).right);
   EXPECT_EQ(left.count, 32u);
   EXPECT_EQ(right.count, 32u);
@@ -279,7 +378,8 @@ BinaryBvh comb(int depth) {
 
 TEST(BvhStack, TheWalkSeesWhatACombNeeds) {
   const Soup soup(31, triangle({0, 0, 0}, {0.5f, 0, 0}, {0, 0.5f, 0}));
-  const FlatBvh bvh = bvh_collapse(comb(30), soup, 4);
+  FlatBvh bvh;
+  EXPECT_EQ(bvh_collapse(bvh, comb(30), soup, 0, 4), 0);
   Walk walk(bvh, soup, 4);
   walk.run();
   EXPECT_EQ(walk.stack(), 31);  // ten nodes of four children, each with three that wait
@@ -287,7 +387,10 @@ TEST(BvhStack, TheWalkSeesWhatACombNeeds) {
 
 TEST(BvhStack, ATreeThatNeedsMoreIsRefused) {
   const Soup soup(200, triangle({0, 0, 0}, {0.5f, 0, 0}, {0, 0.5f, 0}));
-  for (const int width : {4, 8, 16}) EXPECT_THROW(bvh_collapse(comb(199), soup, width), std::runtime_error) << width;
+  for (const int width : {4, 8}) {
+    FlatBvh bvh;
+    EXPECT_THROW(bvh_collapse(bvh, comb(199), soup, 0, width), std::runtime_error) << width;
+  }
 }
 
 }  // namespace

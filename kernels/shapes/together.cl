@@ -1,0 +1,75 @@
+// scene_hit of W rays at once: the same bits, sooner where the rays go about the same way.
+#ifndef BRUME_SHAPES_TOGETHER_CL
+#define BRUME_SHAPES_TOGETHER_CL
+#include "shapes/packet.cl"
+#include "shapes/shapes.cl"
+
+#if W > 1 && BRUME_TRIANGLES
+typedef struct {
+  float origin[3][W], dir[3][W];
+  Hit hit[W];
+} RayLanes;
+
+static inline float3 lane_vector(float v[3][W], int lane) { return (float3)(v[0][lane], v[1][lane], v[2][lane]); }
+
+static inline void ray_lane_set(RayLanes* rays, int lane, float3 origin, float3 dir) {
+  rays->origin[0][lane] = origin.x;
+  rays->origin[1][lane] = origin.y;
+  rays->origin[2][lane] = origin.z;
+  rays->dir[0][lane] = dir.x;
+  rays->dir[1][lane] = dir.y;
+  rays->dir[2][lane] = dir.z;
+}
+
+static inline PacketHit packet_of_hits(const Hit* hits) {
+  float t[W];
+  int primitive[W];
+  for (int i = 0; i < W; ++i) {
+    t[i] = hits[i].t;
+    primitive[i] = hits[i].primitive;
+  }
+  PacketHit packet;
+  packet.t = lanes_load(t);
+  packet.u = packet.v = (floatW)(0.0f);
+  packet.primitive = LANES_GLUE(vload, BRUME_LANES)(0, primitive);
+  return packet;
+}
+
+// Those lanes that met a triangle.
+static inline void packet_to_hits(const PacketHit* packet, Hit* hits) {
+  float t[W], u[W], v[W];
+  int primitive[W];
+  lanes_store(packet->t, t);
+  lanes_store(packet->u, u);
+  lanes_store(packet->v, v);
+  LANES_GLUE(vstore, BRUME_LANES)(packet->primitive, 0, primitive);
+  for (int i = 0; i < W; ++i) {
+    if (primitive[i] < FIRST_TRIANGLE) continue;
+    hits[i].t = t[i];
+    hits[i].primitive = primitive[i];
+    hits[i].u = u[i];
+    hits[i].v = v[i];
+  }
+}
+
+// Nearest surface with t > 0 of each ray.
+static inline void rays_hit(const Scene* scene, RayLanes* rays) {
+  for (int i = 0; i < W; ++i)
+    rays->hit[i] = shapes_hit(scene, lane_vector(rays->origin, i), lane_vector(rays->dir, i), INFINITY, 0);
+  if (scene->frame->triangle_count == 0) return;
+  RayPacket packet;
+  for (int axis = 0; axis < 3; ++axis) {
+    packet.origin.v[axis] = lanes_load(rays->origin[axis]);
+    packet.dir.v[axis] = lanes_load(rays->dir[axis]);
+  }
+  PacketHit found = packet_of_hits(rays->hit);
+  if (packet_hit(scene, 0, &packet, &found)) {
+    packet_to_hits(&found, rays->hit);
+  } else {
+    for (int i = 0; i < W; ++i)
+      bvh_hit(scene, 0, lane_vector(rays->origin, i), lane_vector(rays->dir, i), 0, &rays->hit[i]);
+  }
+}
+#endif
+
+#endif

@@ -11,7 +11,6 @@ namespace brume {
 
 struct FlatBvh {
   std::vector<float> nodes, blocks;
-  std::vector<std::int32_t> links, ids;
 };
 
 // The box of something that a BVH is over.
@@ -20,7 +19,7 @@ struct BvhBox {
 };
 
 // Appends the BVH of the triangles from `first` on and returns the number of its root; links and ids count from the
-// start of the buffers and of `triangles`. width: children per node and triangles per block, 4, 8 or 16. At least one
+// start of the buffers and of `triangles`. width: children per node and triangles per block, 4 or 8. At least one
 // triangle. Deterministic. Fits the traversal's stack whatever the triangles are. Throws RuntimeError for more blocks
 // than the 27 bits of a leaf link.
 int bvh_append(FlatBvh& bvh, const std::vector<Triangle>& triangles, std::size_t first, int width);

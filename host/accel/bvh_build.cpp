@@ -5,6 +5,7 @@
 
 #include "accel/bvh.hpp"
 #include "base/error.hpp"
+#include "base/float_bits.hpp"
 
 namespace brume {
 
@@ -20,16 +21,19 @@ BvhBox box_of(const Triangle& t) {
 template <class Numbers>
 std::int32_t blocks_append(FlatBvh& bvh, const std::vector<Triangle>& triangles, std::uint32_t triangle_count,
                            int width, const Numbers& triangle) {
-  const std::size_t first = bvh.ids.size() / width, count = (triangle_count + width - 1) / width;
+  const std::size_t w = width, floats = BVH_BLOCK_FLOATS(w), first = bvh.blocks.size() / floats,
+                    count = (triangle_count + w - 1) / w;
   if (first >= (1u << 27) || count > BVH_LEAF_BLOCKS_MAX)
     throw RuntimeError("the BVH has " + std::to_string(first) + " leaf blocks; allowed are " + std::to_string(1 << 27));
-  bvh.ids.resize(bvh.ids.size() + count * width, -1);
-  bvh.blocks.resize(bvh.blocks.size() + count * 9 * width, 0.0f);
+  for (std::size_t block = 0; block < count; ++block) {
+    bvh.blocks.insert(bvh.blocks.end(), 9 * w, 0.0f);
+    bvh.blocks.insert(bvh.blocks.end(), w, bits_as_float(-1));
+  }
   for (std::uint32_t k = 0; k < triangle_count; ++k) {
-    const std::size_t block = first + k / width, lane = k % width;
-    bvh.ids[block * width + lane] = static_cast<std::int32_t>(triangle(k));
+    float* lane = &bvh.blocks[(first + k / w) * floats + k % w];
     const float* p = &triangles[triangle(k)].p[0].x;
-    for (int run = 0; run < 9; ++run) bvh.blocks[(block * 9 + run) * width + lane] = p[run];
+    for (std::size_t run = 0; run < 9; ++run) lane[run * w] = p[run];
+    lane[9 * w] = bits_as_float(static_cast<std::int32_t>(triangle(k)));
   }
   return ~static_cast<std::int32_t>(first * 16 + count);
 }

@@ -6,6 +6,7 @@
 
 #include "accel/bvh.hpp"
 #include "base/error.hpp"
+#include "base/float_bits.hpp"
 
 namespace brume {
 
@@ -60,21 +61,23 @@ class Collapse {
   // Appends the wide node under a binary one and returns its number. `pending` counts entries that may wait on the
   // stack above it.
   std::int32_t node_add(std::int32_t root, int pending = 0) {
-    const auto number = static_cast<std::int32_t>(out_.links.size() / width_);
-    const float inf = std::numeric_limits<float>::infinity();
-    out_.links.resize(out_.links.size() + width_, BVH_ABSENT);
-    for (int run = 0; run < 6; ++run) out_.nodes.insert(out_.nodes.end(), width_, run < 3 ? inf : -inf);
+    const std::size_t at = out_.nodes.size();
+    const auto number = static_cast<std::int32_t>(at / BVH_NODE_FLOATS(std::size_t(width_)));
+    const float inf = std::numeric_limits<float>::infinity(), absent = bits_as_float(BVH_ABSENT);
+    for (int run = 0; run < 7; ++run)
+      out_.nodes.insert(out_.nodes.end(), width_, run < 3 ? inf : run < 6 ? -inf : absent);
     const std::vector<std::int32_t> children = children_open(root, pending);
     const int waiting = pending + static_cast<int>(children.size()) - 1;  // one child is popped, the others wait
     stack_need_ = std::max(stack_need_, waiting + 1);
     for (std::size_t lane = 0; lane < children.size(); ++lane) {
       const BinaryNode& child = tree_.nodes[children[lane]];
+      const std::size_t first = at + lane;
       for (int axis = 0; axis < 3; ++axis) {
-        out_.nodes[(6 * std::size_t(number) + axis) * width_ + lane] = child.lo[axis];
-        out_.nodes[(6 * std::size_t(number) + 3 + axis) * width_ + lane] = child.hi[axis];
+        out_.nodes[first + std::size_t(axis) * width_] = child.lo[axis];
+        out_.nodes[first + std::size_t(3 + axis) * width_] = child.hi[axis];
       }
       const std::int32_t link = child.left < 0 ? leaf_(child) : node_add(children[lane], waiting);
-      out_.links[std::size_t(number) * width_ + lane] = link;
+      out_.nodes[first + std::size_t(6) * width_] = bits_as_float(link);
     }
     return number;
   }

@@ -11,6 +11,7 @@
 #include "reference/light.hpp"
 #include "reference/phase.hpp"
 #include "reference/sampling.hpp"
+#include "render/renderer.hpp"
 #include "scene/families.hpp"
 #include "shared/aov.h"
 #include "shared/layout.h"
@@ -84,7 +85,7 @@ Check layout_check(std::size_t index) {
         if (i == index) first = total;
         total += all[i].numbers.size();
       }
-      const PlannedScene scene = check_scene("empty", 8, std::max(lanes, 4));
+      const PlannedScene scene = check_scene("empty", 8, bvh_width_for(lanes));
       const std::vector<float> found = Probe(context, scene, lanes).run("probe_layout", {0}, 1, total);
       const std::vector<std::size_t>& numbers = all[index].numbers;
       for (std::size_t i = 0; i < numbers.size(); ++i) sum.add(found[first + i], static_cast<double>(numbers[i]));
@@ -95,7 +96,7 @@ Check layout_check(std::size_t index) {
 
 CheckCompare rng_prepare(int size) {
   return [items = size * size](Context& context, int lanes, ErrorSum& sum) {
-    const PlannedScene scene = check_scene("empty", 8, std::max(lanes, 4));
+    const PlannedScene scene = check_scene("empty", 8, bvh_width_for(lanes));
     std::vector<float> in;
     for (int i = 0; i < items; ++i)
       for (const int v : {i * 7919, i % 67, i % 5, i / 3}) in.push_back(bits_as_float(v));
@@ -109,7 +110,7 @@ CheckCompare camera_prepare(int type, int size) {
     const int samples = 1 << 20;  // as many as a scene may ask for: all bits of their number are seen
     SceneDesc desc = check_scene_desc("surfaces");
     desc.camera.type = type;
-    const PlannedScene scene = row_scene(desc, "camera", 64, std::max(lanes, 4));
+    const PlannedScene scene = row_scene(desc, "camera", 64, bvh_width_for(lanes));
     const Camera& camera = scene.frame.camera;
     std::vector<float> in;
     for (int i = 0; i < items; ++i) {
@@ -145,7 +146,7 @@ CheckCompare phase_prepare(int phase, double g, int size) {
     expected.push_back(reference::phase_eval(phase, static_cast<float>(g), cosine));
   }
   return [in, expected](Context& context, int lanes, ErrorSum& sum) {
-    const PlannedScene scene = check_scene("empty", 8, std::max(lanes, 4));
+    const PlannedScene scene = check_scene("empty", 8, bvh_width_for(lanes));
     const std::vector<float> found = Probe(context, scene, lanes).run("probe_phase", in, 8, 1);
     for (std::size_t i = 0; i < expected.size(); ++i) sum.add(found[i], expected[i]);
   };
@@ -154,8 +155,8 @@ CheckCompare phase_prepare(int phase, double g, int size) {
 // The lights of a scene of one type, or surfaces that emit, each shape in its turn.
 CheckCompare light_prepare(int type, int size) {
   return [type, items = size * size](Context& context, int lanes, ErrorSum& sum) {
-    PlannedScene scene = type == LIGHT_SURFACE ? check_scene("area_lights", 8, std::max(lanes, 4))
-                                               : row_scene(lights_desc(type), "light", 8, std::max(lanes, 4));
+    PlannedScene scene = type == LIGHT_SURFACE ? check_scene("area_lights", 8, bvh_width_for(lanes))
+                                               : row_scene(lights_desc(type), "light", 8, bvh_width_for(lanes));
     const auto other = [&](const Light& light) { return light.type != type; };
     scene.lights.erase(std::remove_if(scene.lights.begin(), scene.lights.end(), other), scene.lights.end());
     CheckRandom random;

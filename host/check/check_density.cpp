@@ -75,7 +75,7 @@ PlannedScene scattered_scene(int interpolation, int storage) {
       for (i.x = 0; i.x < DENSE; ++i.x) grid.set(i, static_cast<float>(std::max(0.0, random.uniform(-0.2, 1))));
   grid.set(grid.size() - 1, 1.0f);
   grid.fill({70, 8, 8}, {90, 30, 30}, 0.75f);
-  PlannedScene scene = check_scene("fog_nearest", 4, 16);
+  PlannedScene scene = check_scene("fog_nearest", 4, 8);
   scene.bricks.clear();
   scene.brick_ranges.clear();
   scene.voxels.clear();
@@ -104,7 +104,7 @@ std::vector<Check> density_checks() {
                           return points_prepare(std::make_shared<const PlannedScene>(scattered_scene(i, s)), size);
                         }});
   checks.push_back({"points/constant", "density", [](int size) {
-                      return points_prepare(std::make_shared<const PlannedScene>(check_scene("fog_homogeneous", 4, 16)),
+                      return points_prepare(std::make_shared<const PlannedScene>(check_scene("fog_homogeneous", 4, 8)),
                                             size);
                     }});
   return checks;

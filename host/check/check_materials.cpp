@@ -7,6 +7,7 @@
 #include "check/row_scenes.hpp"
 #include "reference/glass.hpp"
 #include "reference/surface.hpp"
+#include "render/renderer.hpp"
 #include "scene/families.hpp"
 
 namespace brume {
@@ -21,7 +22,7 @@ dvec3 towards(const dvec3& side, CheckRandom& random) {  // on that side of a su
 // A viewer near the mirrored direction every other time, where the lobe is.
 CheckCompare material_prepare(int model, int size) {
   return [model, items = size * size](Context& context, int lanes, ErrorSum& sum) {
-    const PlannedScene scene = row_scene(material_desc(model), "material", 8, std::max(lanes, 4));
+    const PlannedScene scene = row_scene(material_desc(model), "material", 8, bvh_width_for(lanes));
     CheckRandom random;
     std::vector<float> in;
     std::vector<dvec3> expected;
@@ -69,7 +70,7 @@ PlannedScene wrapped_image(int wrap, int bvh_width) {
 Check texture_check(const std::string& name, int row, TexturedScene make) {
   const auto prepare = [row, make](int size) -> CheckCompare {
     return [row, make, items = size * size](Context& context, int lanes, ErrorSum& sum) {
-      const PlannedScene scene = make(row, std::max(lanes, 4));
+      const PlannedScene scene = make(row, bvh_width_for(lanes));
       const int texture = scene.materials[0].texture;
       CheckRandom random;
       std::vector<float> in;
@@ -91,7 +92,7 @@ Check texture_check(const std::string& name, int row, TexturedScene make) {
 // From either side of glass, water, diamond and of nothing, at all angles.
 CheckCompare fresnel_prepare(int size) {
   return [items = size * size](Context& context, int lanes, ErrorSum& sum) {
-    const PlannedScene scene = row_scene(material_desc(MATERIAL_LAMBERT), "material", 8, std::max(lanes, 4));
+    const PlannedScene scene = row_scene(material_desc(MATERIAL_LAMBERT), "material", 8, bvh_width_for(lanes));
     constexpr double IORS[] = {1.5, 1.33, 2.42, 1};
     CheckRandom random;
     std::vector<float> in;

@@ -12,6 +12,7 @@
 #include "check/row_scenes.hpp"
 #include "reference/medium.hpp"
 #include "reference/scatter.hpp"
+#include "render/renderer.hpp"
 #include "scene/families.hpp"
 #include "volume/density_source.hpp"
 
@@ -55,7 +56,7 @@ std::vector<float> in_medium_0(const MediumRays& rays) {
   return in;
 }
 
-PlannedScene medium_scene(const SceneDesc& desc, int lanes) { return row_scene(desc, "fog", 8, std::max(lanes, 4)); }
+PlannedScene medium_scene(const SceneDesc& desc, int lanes) { return row_scene(desc, "fog", 8, bvh_width_for(lanes)); }
 
 reference::RandomStream stream_of(const PlannedScene& scene, std::size_t ray) {
   return {static_cast<uint>(ray), 0, scene.frame.seed};

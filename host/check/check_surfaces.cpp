@@ -7,6 +7,7 @@
 #include "check/row_scenes.hpp"
 #include "reference/intersect.hpp"
 #include "reference/surface.hpp"
+#include "render/renderer.hpp"
 #include "scene/families.hpp"
 #include "shared/ray.h"
 
@@ -41,7 +42,7 @@ using SceneMake = std::function<PlannedScene(int bvh_width)>;
 
 CheckCompare hit_prepare(const SceneMake& make, int size) {
   return [make, rays = rays_make(size * size)](Context& context, int lanes, ErrorSum& sum) {
-    const PlannedScene scene = make(std::max(lanes, 4));
+    const PlannedScene scene = make(bvh_width_for(lanes));
     const std::vector<float> hits = Probe(context, scene, lanes).run("probe_hit", rays.packed, 7, HIT_VALUES);
     const reference::TriangleBounds bounds(scene);
     for (std::size_t i = 0; i < rays.rays.size(); ++i) {
@@ -66,7 +67,7 @@ CheckCompare occluded_prepare(const SceneMake& make, int size) {
   for (std::size_t i = 0; i < rays.rays.size(); ++i)
     rays.packed[7 * i + 6] = static_cast<float>(random.uniform(0.1, 5));
   return [make, rays](Context& context, int lanes, ErrorSum& sum) {
-    const PlannedScene scene = make(std::max(lanes, 4));
+    const PlannedScene scene = make(bvh_width_for(lanes));
     const std::vector<float> found = Probe(context, scene, lanes).run("probe_occluded", rays.packed, 7, 1);
     const reference::TriangleBounds bounds(scene);
     for (std::size_t i = 0; i < rays.rays.size(); ++i) {
@@ -97,7 +98,7 @@ void surface_add(ErrorSum& sum, const float* found, const reference::SurfaceD& e
 // Normals and uv at the kernel's own hits.
 CheckCompare surface_prepare(const SceneMake& make, int size) {
   return [make, rays = rays_make(size * size)](Context& context, int lanes, ErrorSum& sum) {
-    const PlannedScene scene = make(std::max(lanes, 4));
+    const PlannedScene scene = make(bvh_width_for(lanes));
     const Probe probe(context, scene, lanes);
     const std::vector<float> hits = probe.run("probe_hit", rays.packed, 7, HIT_VALUES);
     std::vector<float> in;

@@ -1,9 +1,8 @@
 // Single device functions at work on arrays.
 #pragma once
-#include <cstdint>
-#include <cstring>
 #include <vector>
 
+#include "base/float_bits.hpp"
 #include "cl/context.hpp"
 #include "plan/render_plan.hpp"
 
@@ -22,16 +21,5 @@ class Probe {
   const PlannedScene& scene_;
   int lanes_;
 };
-
-inline float bits_as_float(std::int32_t bits) {
-  float value;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
-}
-inline std::int32_t float_as_bits(float value) {
-  std::int32_t bits;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits;
-}
 
 }  // namespace brume

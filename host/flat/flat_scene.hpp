@@ -58,9 +58,7 @@ struct FlatScene {
   int instance_root = -1;  // of the BVH over them; -1: none
   int bvh_width = 4;
   std::vector<float> bvh_nodes;  // layout: shared/bvh.h
-  std::vector<std::int32_t> bvh_links;
   std::vector<float> bvh_blocks;
-  std::vector<std::int32_t> bvh_ids;
 
   std::vector<BrickGrid> grids;
   std::vector<PlacedGrid> placed;  // their densities, of a grid or constant

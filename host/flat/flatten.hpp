@@ -6,7 +6,7 @@
 
 namespace brume {
 
-// What `desc` names and `loaded` does not hold is loaded into it. bvh_width: a multiple of the lanes that will traverse
+// What `desc` names and `loaded` does not hold is loaded into it. bvh_width: that of the lanes that will traverse
 // the BVH. Throws InputError naming the place in the scene (or the file behind it) for whatever cannot be rendered.
 FlatScene scene_flatten(const SceneDesc& desc, LoadedScene& loaded, int bvh_width);
 

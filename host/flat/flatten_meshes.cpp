@@ -87,9 +87,7 @@ class MeshFlattener {
     for (; i < shapes_.meshes.size(); ++i) instances_add(i);
     if (!boxes_.empty()) scene_.instance_root = bvh_append_boxes(bvh_, boxes_, scene_.bvh_width);
     scene_.bvh_nodes = std::move(bvh_.nodes);
-    scene_.bvh_links = std::move(bvh_.links);
     scene_.bvh_blocks = std::move(bvh_.blocks);
-    scene_.bvh_ids = std::move(bvh_.ids);
     if (dropped_ > 0)
       scene_.notes.push_back(std::to_string(dropped_) + " triangles have no area in single precision and are left out");
     if (lost_ > 0)
@@ -141,14 +139,11 @@ class MeshFlattener {
     instance.material = place.material;
     instance.reach =
         static_cast<float>(std::max(largest(size), REACH_SHARE * round_trip(mesh_from_world, world_from_mesh, size)));
-    scene_.instances.push_back(instance);
     const double margin = BOX_ROUNDING * round_trip(mesh_from_world, world_from_mesh, glm::max(size, scene_size_));
-    BvhBox box;
-    for (int k = 0; k < 3; ++k) {
-      box.lo[k] = static_cast<float>(lo[k] - margin);
-      box.hi[k] = static_cast<float>(hi[k] + margin);
-    }
-    boxes_.push_back(box);
+    instance.lo = packed(lo - margin);
+    instance.hi = packed(hi + margin);
+    scene_.instances.push_back(instance);
+    boxes_.push_back({{instance.lo.x, instance.lo.y, instance.lo.z}, {instance.hi.x, instance.hi.y, instance.hi.z}});
   }
 
   const LoadedShapes& shapes_;

@@ -40,7 +40,7 @@ std::shared_ptr<DeviceScene> device_scene_make(Context& context, const FlatScene
 }  // namespace
 
 int lanes_choose(const DeviceInfo& device, int wanted) { return wanted > 0 ? wanted : device.lanes(); }
-int bvh_width_for(int lanes) { return std::max(lanes, 4); }
+int bvh_width_for(int lanes) { return std::clamp(lanes, 4, 8); }
 
 struct Renderer::State {
   Frame frame;
@@ -114,8 +114,7 @@ Renderer::Renderer(Context& context, std::shared_ptr<DeviceScene> device_scene, 
   s.stats.upload_s = s.passes->upload_seconds();
   s.stats.device_bytes = context.allocated_bytes();
   s.stats.voxel_bytes = scene.voxels.size() * voxel_bytes(plan.storage);
-  s.stats.bvh_bytes = (scene.bvh_nodes.size() + scene.bvh_blocks.size()) * sizeof(float) +
-                      (scene.bvh_links.size() + scene.bvh_ids.size()) * sizeof(std::int32_t);
+  s.stats.bvh_bytes = (scene.bvh_nodes.size() + scene.bvh_blocks.size()) * sizeof(float);
 }
 
 Renderer::~Renderer() = default;

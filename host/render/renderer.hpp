@@ -50,7 +50,7 @@ using Progress = std::function<bool(double)>;
 
 class Renderer {
  public:
-  // Builds and uploads. `scene.bvh_width` must suit the lanes (a multiple of them).
+  // Builds and uploads. `scene.bvh_width` must suit the lanes (bvh_width_for).
   // The scene must outlive this, unchanged.
   Renderer(Context& context, const PlannedScene& scene, const RenderOptions& options);
   Renderer(Context&, PlannedScene&&, const RenderOptions&) = delete;

@@ -10,15 +10,19 @@
 
 namespace brume {
 
+// By tiles: rays of pixels that are close to each other are followed together.
 WorkList work_all(const Frame& frame) {
+  constexpr int TILE = 4;
   WorkList list;
   list.reserve(static_cast<std::size_t>(frame.crop_x1 - frame.crop_x0) *
                static_cast<std::size_t>(frame.crop_y1 - frame.crop_y0));
-  for (int y = frame.crop_y0; y < frame.crop_y1; ++y)
-    for (int x = frame.crop_x0; x < frame.crop_x1; ++x)
-      list.push_back({static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(frame.camera.width) +
-                          static_cast<std::uint32_t>(x),
-                      0, static_cast<std::uint32_t>(frame.camera.spp)});
+  for (int top = frame.crop_y0; top < frame.crop_y1; top += TILE)
+    for (int left = frame.crop_x0; left < frame.crop_x1; left += TILE)
+      for (int y = top; y < std::min(top + TILE, frame.crop_y1); ++y)
+        for (int x = left; x < std::min(left + TILE, frame.crop_x1); ++x)
+          list.push_back({static_cast<std::uint32_t>(y) * static_cast<std::uint32_t>(frame.camera.width) +
+                              static_cast<std::uint32_t>(x),
+                          0, static_cast<std::uint32_t>(frame.camera.spp)});
   return list;
 }
 

@@ -45,9 +45,17 @@ typedef LANES_GLUE(int, BRUME_LANES) intW;
 #define lanes_to_int(v) LANES_GLUE(convert_int, BRUME_LANES)(v)
 #define lanes_to_float(v) LANES_GLUE(convert_float, BRUME_LANES)(v)
 #define lanes_select(when_false, when_true, condition) select(when_false, when_true, condition)
-#define lanes_any(condition) any(condition)
+#define lanes_any(condition) lanes_any_of(LANES_GLUE(convert_char, BRUME_LANES)(condition))
 #define lanes_all(condition) all(condition)
 #define lanes_first(v) ((v).s0)
+// Lanes as bytes of one or two words: `any` looks at lane by lane.
+#if W == 4
+static inline int lanes_any_of(char4 lanes) { return as_uint(lanes) != 0; }
+#elif W == 8
+static inline int lanes_any_of(char8 lanes) { return as_ulong(lanes) != 0; }
+#else
+static inline int lanes_any_of(char16 lanes) { return (as_ulong2(lanes).x | as_ulong2(lanes).y) != 0; }
+#endif
 #endif
 
 // Sums in a fixed tree, so that a picture does not depend on the compiler; lanes_before: of the lanes before each.

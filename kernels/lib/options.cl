@@ -10,8 +10,12 @@
 #ifndef BRUME_LANES  // SIMD lanes inside a work-item: samples along a ray, boxes and triangles of a node. 1, 4, 8 or 16
 #define BRUME_LANES 1
 #endif
-#ifndef BRUME_BVH_WIDTH  // children of a BVH node, a multiple of BRUME_LANES
-#define BRUME_BVH_WIDTH (BRUME_LANES < 4 ? 4 : BRUME_LANES)
+#ifndef BRUME_BVH_WIDTH  // children of a BVH node, triangles of a block: 4 or 8
+#if BRUME_LANES < 8
+#define BRUME_BVH_WIDTH 4
+#else
+#define BRUME_BVH_WIDTH 8
+#endif
 #endif
 #ifndef BRUME_FAST_FMA  // the device rounds fma in hardware
 #define BRUME_FAST_FMA 1

@@ -2,6 +2,7 @@
 // that its rays hit first.
 #include "lib/camera.cl"
 #include "materials/glass.cl"
+#include "shapes/together.cl"
 
 // The last entry that begins at ray `item` or before. Mostly all entries but the last have as many samples: the first
 // guess.
@@ -18,21 +19,45 @@ static inline Work work_find(__global const Work* work, uint entries, uint item)
   return work[first];
 }
 
+// The camera ray of an item of wave 0.
+static inline Ray ray_begin(const Scene* scene, __global const Work* work, uint entries, uint item) {
+  const Work entry = work_find(work, entries, item);
+  Ray camera = camera_ray(scene->frame, entry.pixel, entry.first_sample + (item - entry.first_ray));
+  ray_start_before_planes(scene, &camera);
+  inside_begin(camera.inside);
+#if BRUME_STARTS_INSIDE && HAS_SURFACES
+  if (scene->frame->starts_inside) ray_begin_inside(scene, &camera);
+#endif
+  return camera;
+}
+
+// On a CPU the first of W items follows the rays of all of them, which go about the same way.
+#define TOGETHER (W > 1 && BRUME_TRIANGLES)
+
+#if TOGETHER
+OUTLINED void hits_together(const Scene* scene, uint first, uint count, __global const Ray* rays, __global Hit* hits) {
+  RayLanes lanes;
+  for (uint i = 0; i < W; ++i) {
+    const Ray ray = rays[min(first + i, count - 1)];
+    ray_lane_set(&lanes, i, vec_unpack(ray.origin), vec_unpack(ray.dir));
+  }
+  rays_hit(scene, &lanes);
+  for (uint i = 0; i < W && first + i < count; ++i) hits[first + i] = lanes.hit[i];
+}
+#endif
+
 __kernel void primary_rays(SCENE_ARGS, __global const Work* work, uint entries, uint wave, uint count,
                            __global Ray* rays, __global Hit* hits) {
   const uint item = (uint)get_global_id(0);
   if (item >= count) return;
   const Scene scene = SCENE_PACK;
-  if (wave == 0) {
-    const Work entry = work_find(work, entries, item);
-    Ray camera = camera_ray(frame, entry.pixel, entry.first_sample + (item - entry.first_ray));
-    ray_start_before_planes(&scene, &camera);
-    inside_begin(camera.inside);
-#if BRUME_STARTS_INSIDE && HAS_SURFACES
-    if (frame->starts_inside) ray_begin_inside(&scene, &camera);
-#endif
-    rays[item] = camera;
-  }
+#if TOGETHER
+  if (item % W != 0) return;
+  for (uint i = item; wave == 0 && i < min(item + W, count); ++i) rays[i] = ray_begin(&scene, work, entries, i);
+  hits_together(&scene, item, count, rays, hits);
+#else
+  if (wave == 0) rays[item] = ray_begin(&scene, work, entries, item);
   const Ray ray = rays[item];
   hits[item] = scene_hit(&scene, vec_unpack(ray.origin), vec_unpack(ray.dir), INFINITY, 0);
+#endif
 }

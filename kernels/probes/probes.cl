@@ -8,6 +8,7 @@
 #include "materials/surface.cl"
 #include "media/scatter.cl"
 #include "shapes/cell_crossing.cl"
+#include "shapes/together.cl"
 #include "shared/aov.h"
 #include "shared/layout.h"
 
@@ -54,16 +55,38 @@ PROBE(probe_phase) {
   out[item] = phase_eval(as_int(v[0]), v[1], probe_load3(v + 2), probe_load3(v + 5));
 }
 
+static inline void probe_store_hit(const Hit* hit, __global float* out) {
+  out[0] = hit->primitive == PRIMITIVE_NONE ? INFINITY : hit->t;
+  out[1] = as_float(hit->primitive);
+  out[2] = hit->u;
+  out[3] = hit->v;
+  out[4] = as_float(hit->instance);
+}
+
 // in: origin, direction, t_max. out: t, primitive as bits, u, v, instance as bits
 PROBE(probe_hit) {
   PROBE_ITEM;
   __global const float* v = in + 7 * item;
   const Hit hit = scene_hit(&scene, probe_load3(v), probe_load3(v + 3), v[6], 0);
-  out[5 * item] = hit.primitive == PRIMITIVE_NONE ? INFINITY : hit.t;
-  out[5 * item + 1] = as_float(hit.primitive);
-  out[5 * item + 2] = hit.u;
-  out[5 * item + 3] = hit.v;
-  out[5 * item + 4] = as_float(hit.instance);
+  probe_store_hit(&hit, out + 5 * item);
+}
+
+// The same for t_max = INFINITY, by W rays at once.
+PROBE(probe_hit_together) {
+  PROBE_ITEM;
+#if W > 1
+  if (item % W != 0) return;
+  RayLanes rays;
+  for (uint i = 0; i < W; ++i) {
+    __global const float* v = in + 7 * min(item + i, count - 1);
+    ray_lane_set(&rays, i, probe_load3(v), probe_load3(v + 3));
+  }
+  rays_hit(&scene, &rays);
+  for (uint i = 0; i < min((uint)W, count - item); ++i) {
+    const Hit hit = rays.hit[i];
+    probe_store_hit(&hit, out + 5 * (item + i));
+  }
+#endif
 }
 
 // in: origin, direction, t_max. out: 1 when something is hit before t_max

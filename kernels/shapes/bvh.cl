@@ -1,43 +1,54 @@
-// Ordered traversal of the wide BVH (layout: shared/bvh.h): a node's boxes are tested W at a time, nearer children
+// Ordered traversal of the wide BVH (layout: shared/bvh.h): the boxes of a node are tested at once, nearer children
 // first.
 #ifndef BRUME_SHAPES_BVH_CL
 #define BRUME_SHAPES_BVH_CL
 #include "lib/scene.cl"
 #include "shapes/triangle.cl"
 
+// Of the planes that a ray meets first and last: 1 / direction, -origin / direction, and where in a node they are.
 typedef struct {
-  float3 inv_d, origin;
-  int near_x, near_y, near_z;  // which of the 6 runs of a node holds the plane that the ray meets first
-  int far_x, far_y, far_z;
+  float3 near, near_start, far, far_start;
+  size_t near_x, near_y, near_z, far_x, far_y, far_z;
 } BoxRay;
 
 // A zero component becomes tiny instead: the slab then either contains the ray for all t that matter or for none,
 // without NaN.
-static inline float safe_inverse(float d) { return 1.0f / (fabs(d) < 1e-18f ? copysign(1e-18f, d) : d); }
+#define DIRECTION_LEAST 1e-18f
+static inline float safe_inverse(float d) {
+  return 1.0f / (fabs(d) < DIRECTION_LEAST ? copysign(DIRECTION_LEAST, d) : d);
+}
 
-static inline BoxRay box_ray(float3 origin, float3 dir) {
+// plane / d - origin / d is off by the roundings of both quotients, 2 γ(2) of the larger one, which is the other or t;
+// boxes are entered earlier and left later by that of the other, and earlier by twice that of t [Ize13].
+static inline BoxRay box_ray_between(float3 near_origin, float3 far_origin, float3 inverse) {
   BoxRay r;
-  r.inv_d = (float3)(safe_inverse(dir.x), safe_inverse(dir.y), safe_inverse(dir.z));
-  r.origin = origin;
-  r.near_x = r.inv_d.x < 0.0f ? 3 : 0;
-  r.near_y = r.inv_d.y < 0.0f ? 4 : 1;
-  r.near_z = r.inv_d.z < 0.0f ? 5 : 2;
-  r.far_x = 3 - r.near_x;
-  r.far_y = 5 - r.near_y;
-  r.far_z = 7 - r.near_z;
+  r.far = inverse;
+  r.near = inverse * (1.0f - 0x1p-20f);
+  r.near_start = -near_origin * r.near - 0x1p-21f * fabs(near_origin * inverse);
+  r.far_start = -far_origin * inverse + 0x1p-21f * fabs(far_origin * inverse);
+  r.near_x = (inverse.x < 0.0f ? 3 : 0) * BRUME_BVH_WIDTH;
+  r.near_y = (inverse.y < 0.0f ? 4 : 1) * BRUME_BVH_WIDTH;
+  r.near_z = (inverse.z < 0.0f ? 5 : 2) * BRUME_BVH_WIDTH;
+  r.far_x = 3 * BRUME_BVH_WIDTH - r.near_x;
+  r.far_y = 5 * BRUME_BVH_WIDTH - r.near_y;
+  r.far_z = 7 * BRUME_BVH_WIDTH - r.near_z;
   return r;
 }
 
-// Entry distances of W boxes; INFINITY for a miss. The far side is widened by 2 γ(3) [Ize13].
-static inline floatW box_hits(const BoxRay* r, __global const float* node, float t_max) {
-#define PLANE(run) lanes_load(node + (run)*BRUME_BVH_WIDTH)
-  const floatW x0 = (PLANE(r->near_x) - r->origin.x) * r->inv_d.x, x1 = (PLANE(r->far_x) - r->origin.x) * r->inv_d.x;
-  const floatW y0 = (PLANE(r->near_y) - r->origin.y) * r->inv_d.y, y1 = (PLANE(r->far_y) - r->origin.y) * r->inv_d.y;
-  const floatW z0 = (PLANE(r->near_z) - r->origin.z) * r->inv_d.z, z1 = (PLANE(r->far_z) - r->origin.z) * r->inv_d.z;
+static inline BoxRay box_ray(float3 origin, float3 dir) {
+  return box_ray_between(origin, origin, (float3)(safe_inverse(dir.x), safe_inverse(dir.y), safe_inverse(dir.z)));
+}
+
+// Which of the boxes of a group are hit before t_max, and where they are entered.
+#define BOX_PLANE(r, plane, side, axis) \
+  mad_exact(plane, (BvhLanes)((r)->side.axis), (BvhLanes)((r)->side##_start.axis))
+static inline BvhMask box_hits(const BoxRay* r, __global const float* node, float t_max, BvhLanes* enter) {
+#define PLANE(side, axis) BOX_PLANE(r, bvh_load(node + r->side##_##axis), side, axis)
+  const BvhLanes first = fmax_ordered(PLANE(near, x), PLANE(near, y));
+  const BvhLanes last = fmin_ordered(PLANE(far, x), PLANE(far, y));
+  *enter = fmax_ordered(first, fmax_ordered(PLANE(near, z), (BvhLanes)(0.0f)));
+  return bvh_mask(*enter <= fmin_ordered(last, fmin_ordered(PLANE(far, z), (BvhLanes)(t_max))));
 #undef PLANE
-  const floatW t0 = fmax(fmax(x0, y0), fmax(z0, (floatW)(0.0f)));
-  const floatW t1 = fmin(fmin(x1, y1), fmin(z1, (floatW)(t_max))) * 1.0000004f;
-  return lanes_select((floatW)(INFINITY), t0, t0 <= t1);
 }
 
 typedef struct {
@@ -45,39 +56,68 @@ typedef struct {
   int link;
 } BvhEntry;
 
-// Puts the hit children of a node on the stack, the nearest on top.
+// Of those children of a group that are hit, and *nearest, the nearest; the others wait on the stack.
+static inline void bvh_stack(BvhMask mask, BvhLanes enter, __global const int* links, BvhEntry* nearest,
+                             BvhEntry* stack, int* top) {
+  if (mask == 0) return;
+  float t[BVH_LANES];
+  bvh_store(enter, t);
+  for (; mask != 0; mask &= mask - 1) {
+    const int lane = bvh_lowest(mask);
+    BvhEntry entry = {t[lane], links[lane]};
+    if (nearest->link == BVH_ABSENT) {
+      *nearest = entry;
+      continue;
+    }
+    if (entry.t < nearest->t) {
+      const BvhEntry before = *nearest;
+      *nearest = entry;
+      entry = before;
+    }
+    stack[(*top)++] = entry;
+  }
+}
+
+// The nearest hit child of a node, BVH_ABSENT for none; the others wait on the stack.
+static inline int bvh_open(const Scene* scene, const BoxRay* box, int node, float t_max, BvhEntry* stack, int* top) {
+  __global const float* boxes = scene->bvh_nodes + (size_t)node * BVH_NODE_FLOATS(BRUME_BVH_WIDTH);
+  __global const int* links = (__global const int*)(boxes + 6 * BRUME_BVH_WIDTH);
+  BvhEntry nearest = {INFINITY, BVH_ABSENT};
+  for (int group = 0; group < BRUME_BVH_WIDTH; group += BVH_LANES) {
+    BvhLanes enter;
+    const BvhMask mask = box_hits(box, boxes + group, t_max, &enter);
+    bvh_stack(mask, enter, links + group, &nearest, stack, top);
+  }
+  return nearest.link;
+}
+
+// The same, the nearest on the stack too, which it returns the top of.
 static inline int bvh_push_children(const Scene* scene, const BoxRay* box, int node, float t_max, BvhEntry* stack,
                                     int top) {
-  const int first = top;
-  for (int group = 0; group < BRUME_BVH_WIDTH; group += W) {
-    float t[W];
-    lanes_store(box_hits(box, scene->bvh_nodes + (size_t)node * (6 * BRUME_BVH_WIDTH) + group, t_max), t);
-    for (int lane = 0; lane < W; ++lane) {
-      if (!(t[lane] < INFINITY)) continue;
-      int slot = top++;
-      for (; slot > first && stack[slot - 1].t < t[lane]; --slot) stack[slot] = stack[slot - 1];
-      stack[slot].t = t[lane];
-      stack[slot].link = scene->bvh_links[node * BRUME_BVH_WIDTH + group + lane];
-    }
-  }
-  return top;
+  const int nearest = bvh_open(scene, box, node, t_max, stack, &top);
+  if (nearest == BVH_ABSENT) return top;
+  stack[top].t = 0.0f;
+  stack[top].link = nearest;
+  return top + 1;
 }
 
 // Nearest triangle in the blocks of a leaf. Equal distances go to the lower index, whatever the order of visits.
 static inline void leaf_hit(const Scene* scene, const ShearedRay* ray, int link, Hit* hit) {
   const int first = (~link) >> 4, count = (~link) & 15;
   for (int block = first; block < first + count; ++block) {
-    for (int group = 0; group < BRUME_BVH_WIDTH; group += W) {
-      const TriangleHits hits =
-          triangle_hits(ray, scene->bvh_blocks + (size_t)block * (9 * BRUME_BVH_WIDTH) + group, hit->t);
-      if (!lanes_any(hits.t < (floatW)(INFINITY))) continue;
-      float t[W], u[W], v[W];
-      lanes_store(hits.t, t);
-      lanes_store(hits.u, u);
-      lanes_store(hits.v, v);
-      for (int lane = 0; lane < W; ++lane) {
-        const int primitive = FIRST_TRIANGLE + scene->bvh_ids[block * BRUME_BVH_WIDTH + group + lane];
-        if (!(t[lane] < hit->t || (t[lane] == hit->t && t[lane] < INFINITY && primitive < hit->primitive))) continue;
+    __global const float* corners = scene->bvh_blocks + (size_t)block * BVH_BLOCK_FLOATS(BRUME_BVH_WIDTH);
+    __global const int* ids = (__global const int*)(corners + 9 * BRUME_BVH_WIDTH);
+    for (int group = 0; group < BRUME_BVH_WIDTH; group += BVH_LANES) {
+      TriangleHits hits;
+      BvhMask mask = triangle_hits(ray, corners + group, hit->t, &hits);
+      if (mask == 0) continue;
+      float t[BVH_LANES], u[BVH_LANES], v[BVH_LANES];
+      bvh_store(hits.t, t);
+      bvh_store(hits.u, u);
+      bvh_store(hits.v, v);
+      for (; mask != 0; mask &= mask - 1) {
+        const int lane = bvh_lowest(mask), primitive = FIRST_TRIANGLE + ids[group + lane];
+        if (t[lane] > hit->t || (t[lane] == hit->t && primitive >= hit->primitive)) continue;
         hit->t = t[lane];
         hit->primitive = primitive;
         hit->u = u[lane];
@@ -93,16 +133,19 @@ static inline void bvh_hit(const Scene* scene, int root, float3 origin, float3 d
   const ShearedRay ray = ray_shear(origin, dir);
   const float t_limit = hit->t;
   BvhEntry stack[BVH_STACK];
-  int top = bvh_push_children(scene, &box, root, hit->t, stack, 0);
-  while (top > 0) {
-    const BvhEntry entry = stack[--top];
-    if (entry.t > hit->t) continue;
-    if (entry.link >= 0) {
-      top = bvh_push_children(scene, &box, entry.link, hit->t, stack, top);
+  int top = 0, link = root;
+  while (1) {
+    if (link >= 0) {
+      link = bvh_open(scene, &box, link, hit->t, stack, &top);
+      if (link != BVH_ABSENT) continue;
     } else {
-      leaf_hit(scene, &ray, entry.link, hit);
+      leaf_hit(scene, &ray, link, hit);
       if (any && hit->t < t_limit) return;
     }
+    do {
+      if (top == 0) return;
+    } while (stack[--top].t > hit->t);
+    link = stack[top].link;
   }
 }
 

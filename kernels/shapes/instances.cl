@@ -5,10 +5,15 @@
 #include "shapes/bvh.cl"
 
 #if BRUME_INSTANCES
-// Two places ask for a BVH below a root.
+// Several places ask for a BVH below a root.
 OUTLINED void tree_hit(const Scene* scene, int root, float3 origin, float3 dir, int any, Hit* hit) {
   bvh_hit(scene, root, origin, dir, any, hit);
 }
+#else
+#define tree_hit bvh_hit
+#endif
+
+#if BRUME_INSTANCES
 
 // dir keeps the length that it gets, so that distances are those of the world. Equal ones go to what stands in the
 // world, then to the lower instance, whatever the order of visits.
@@ -27,16 +32,19 @@ static inline void instance_hit(const Scene* scene, int index, float3 origin, fl
 static inline void instances_hit(const Scene* scene, float3 origin, float3 dir, int any, Hit* hit) {
   const BoxRay box = box_ray(origin, dir);
   BvhEntry stack[BVH_STACK];
-  int top = bvh_push_children(scene, &box, scene->frame->instance_root, hit->t, stack, 0);
-  while (top > 0) {
-    const BvhEntry entry = stack[--top];
-    if (entry.t > hit->t) continue;
-    if (entry.link >= 0) {
-      top = bvh_push_children(scene, &box, entry.link, hit->t, stack, top);
+  int top = 0, link = scene->frame->instance_root;
+  while (1) {
+    if (link >= 0) {
+      link = bvh_open(scene, &box, link, hit->t, stack, &top);
+      if (link != BVH_ABSENT) continue;
     } else {
-      instance_hit(scene, ~entry.link, origin, dir, any, hit);
+      instance_hit(scene, ~link, origin, dir, any, hit);
       if (any && hit->instance != INSTANCE_NONE) return;
     }
+    do {
+      if (top == 0) return;
+    } while (stack[--top].t > hit->t);
+    link = stack[top].link;
   }
 }
 

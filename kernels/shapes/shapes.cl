@@ -40,8 +40,8 @@ static inline ShapePlace shape_emit(const Shape* shape, float3 from, float2 xi) 
   return shape_place_of((float3)(0.0f), (float3)(0.0f), 0.0f);
 }
 
-// Nearest surface with 0 < t < t_max; `any`: the first one found will do.
-static inline Hit scene_hit(const Scene* scene, float3 origin, float3 dir, float t_max, int any) {
+// Nearest shape but triangles with 0 < t < t_max; `any`: the first one found will do.
+static inline Hit shapes_hit(const Scene* scene, float3 origin, float3 dir, float t_max, int any) {
   Hit hit;
   hit.t = t_max;
   hit.primitive = PRIMITIVE_NONE;
@@ -64,12 +64,19 @@ static inline Hit scene_hit(const Scene* scene, float3 origin, float3 dir, float
     if (any) return hit;
   }
 #endif
-#if BRUME_INSTANCES
+  return hit;
+}
+
+// Nearest surface with 0 < t < t_max; `any`: the first one found will do.
+static inline Hit scene_hit(const Scene* scene, float3 origin, float3 dir, float t_max, int any) {
+  Hit hit = shapes_hit(scene, origin, dir, t_max, any);
+#if BRUME_TRIANGLES
+  if (any && hit.primitive != PRIMITIVE_NONE) return hit;
   if (scene->frame->triangle_count > 0) tree_hit(scene, 0, origin, dir, any, &hit);
+#endif
+#if BRUME_INSTANCES
   if (any && hit.primitive != PRIMITIVE_NONE) return hit;
   if (scene->frame->instance_root >= 0) instances_hit(scene, origin, dir, any, &hit);
-#elif BRUME_TRIANGLES
-  if (scene->frame->triangle_count > 0) bvh_hit(scene, 0, origin, dir, any, &hit);
 #endif
   return hit;
 }

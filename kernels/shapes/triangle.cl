@@ -3,6 +3,7 @@
 #ifndef BRUME_SHAPES_TRIANGLE_CL
 #define BRUME_SHAPES_TRIANGLE_CL
 #include "lib/vec.cl"
+#include "shapes/bvh_lanes.cl"
 #include "shared/bvh.h"
 
 // The ray in the space where it is the z axis: k* name the world axes, s* shear.
@@ -31,29 +32,29 @@ static inline ShearedRay ray_shear(float3 origin, float3 dir) {
 }
 
 typedef struct {
-  floatW t, u, v;  // t = INFINITY for a miss
+  BvhLanes t, u, v;
 } TriangleHits;
 
-// p: 9 runs of BRUME_BVH_WIDTH floats, the block's first lane of this group.
-static inline TriangleHits triangle_hits(const ShearedRay* r, __global const float* p, float t_max) {
-#define CORNER(c, k) lanes_load(p + ((c)*3 + (k)) * BRUME_BVH_WIDTH)
-  const floatW az = CORNER(0, r->kz) - r->oz, bz = CORNER(1, r->kz) - r->oz, cz = CORNER(2, r->kz) - r->oz;
-  const floatW ax = CORNER(0, r->kx) - r->ox - r->sx * az, ay = CORNER(0, r->ky) - r->oy - r->sy * az;
-  const floatW bx = CORNER(1, r->kx) - r->ox - r->sx * bz, by = CORNER(1, r->ky) - r->oy - r->sy * bz;
-  const floatW cx = CORNER(2, r->kx) - r->ox - r->sx * cz, cy = CORNER(2, r->ky) - r->oy - r->sy * cz;
+// Which triangles are hit at 0 < t <= t_max. p: 9 runs of BRUME_BVH_WIDTH floats, the block's first lane of this group.
+static inline BvhMask triangle_hits(const ShearedRay* r, __global const float* p, float t_max, TriangleHits* hits) {
+#define CORNER(c, k) bvh_load(p + ((c)*3 + (k)) * BRUME_BVH_WIDTH)
+#define SHEARED(c, k, o, s, z) mad_exact((BvhLanes)(-r->s), z, CORNER(c, r->k) - r->o)
+  const BvhLanes az = CORNER(0, r->kz) - r->oz, bz = CORNER(1, r->kz) - r->oz, cz = CORNER(2, r->kz) - r->oz;
+  const BvhLanes ax = SHEARED(0, kx, ox, sx, az), ay = SHEARED(0, ky, oy, sy, az);
+  const BvhLanes bx = SHEARED(1, kx, ox, sx, bz), by = SHEARED(1, ky, oy, sy, bz);
+  const BvhLanes cx = SHEARED(2, kx, ox, sx, cz), cy = SHEARED(2, ky, oy, sy, cz);
+#undef SHEARED
 #undef CORNER
-  const floatW e0 = cx * by - cy * bx, e1 = ax * cy - ay * cx, e2 = bx * ay - by * ax;
-  const floatW det = e0 + e1 + e2;
-  const floatW inv_det = 1.0f / det;  // inf for a degenerate or edge-on triangle, which `inside` drops
-  TriangleHits hits;
-  hits.u = e1 * inv_det;
-  hits.v = e2 * inv_det;
+  const BvhLanes e0 = cx * by - cy * bx, e1 = ax * cy - ay * cx, e2 = bx * ay - by * ax;  // no fma: see above
+  const BvhLanes low = fmin_ordered(fmin_ordered(e0, e1), e2), high = fmax_ordered(fmax_ordered(e0, e1), e2);
+  const BvhLanes det = e0 + e1 + e2;
+  if (bvh_mask(((low >= 0.0f) | (high <= 0.0f)) & (det != 0.0f)) == 0) return 0;
+  const BvhLanes inv_det = 1.0f / det;  // inf for a degenerate or edge-on triangle
+  hits->u = e1 * inv_det;
+  hits->v = e2 * inv_det;
   // shares before lengths: three lengths of a small triangle in a large scene multiply to nothing
-  const floatW t = (e0 * inv_det * az + hits.u * bz + hits.v * cz) * r->sz;
-  const intW inside = (((e0 >= 0.0f) & (e1 >= 0.0f) & (e2 >= 0.0f)) | ((e0 <= 0.0f) & (e1 <= 0.0f) & (e2 <= 0.0f))) &
-                      (det != 0.0f) & (t > 0.0f) & (t <= t_max);
-  hits.t = lanes_select((floatW)(INFINITY), t, inside);
-  return hits;
+  hits->t = (e0 * inv_det * az + hits->u * bz + hits->v * cz) * r->sz;
+  return bvh_mask(((low >= 0.0f) | (high <= 0.0f)) & (det != 0.0f) & (hits->t > 0.0f) & (hits->t <= t_max));
 }
 
 #endif

@@ -1,17 +1,17 @@
-// Wide BVH: every node holds BVH_WIDTH child boxes side by side (SoA), so that W lanes test W boxes at once.
-// The width is a multiple of the lanes; buffers hold plain floats so that no struct depends on the width:
-//   nodes:  per node 6*width floats  lo_x[width] lo_y hi_x ... (order lo_x lo_y lo_z hi_x hi_y hi_z); absent child: lo
-//   = +inf, hi = -inf
-//   links:  per node width ints      child >= 0: inner node;  child < 0: leaf block range, ~child = first block * 16 +
-//   block count
-//   blocks: per leaf block 9*width floats p0_x[width] p0_y p0_z p1_x ... p2_z; absent triangle: all NaN-free zeros
-//   (never hit)
-//   ids:    per leaf block width ints  triangle index, -1 where absent
+// Wide BVH: every node holds `width` child boxes side by side (SoA), which are tested at once; so do the blocks of
+// triangles in leaves. Buffers hold plain floats so that no struct depends on the width. Absolute within the buffers:
+//   nodes:  per node 7 runs of width: lo_x lo_y lo_z hi_x hi_y hi_z link
+//           link as int: >= 0: inner node; < 0: leaf, ~link = first block * 16 + blocks
+//           absent child: lo = +inf, hi = -inf, link BVH_ABSENT
+//   blocks: per leaf block 10 runs of width: p0_x p0_y p0_z p1_x ... p2_z id
+//           id as int: triangle; absent triangle: zeros (never hit), id -1
 #ifndef BRUME_SHARED_BVH_H
 #define BRUME_SHARED_BVH_H
 #include "shared/platform.h"
 
+#define BVH_NODE_FLOATS(width) (7 * (width))
+#define BVH_BLOCK_FLOATS(width) (10 * (width))
 #define BVH_STACK 96  // entries; the builder asserts that no traversal can need more
 #define BVH_LEAF_BLOCKS_MAX 15
-#define BVH_ABSENT 0x7fffffff  // link of an absent child
+#define BVH_ABSENT 0x7fffffff
 #endif

@@ -27,7 +27,7 @@
   STRUCT(Isosurface, F(cell_from_world) F(lo) F(iso) F(hi) F(brick_offset) F(cells_x) F(cells_y) F(cells_z)            \
                          F(brick_nx) F(brick_ny) F(brick_nz) F(masks))                                                 \
   STRUCT(Triangle, F(p) F(n) F(uv) F(material) F(shading))                                                             \
-  STRUCT(Instance, F(mesh_from_world) F(world_from_mesh) F(root) F(mesh) F(material) F(reach))                         \
+  STRUCT(Instance, F(mesh_from_world) F(world_from_mesh) F(root) F(mesh) F(material) F(reach) F(lo) F(hi))                         \
   STRUCT(BrickGrid, F(brick_offset) F(cells_x) F(cells_y) F(cells_z) F(brick_nx) F(brick_ny) F(brick_nz))              \
   STRUCT(PlacedGrid,                                                                                                   \
          F(cell_from_world) F(world_from_cell) F(lo) F(grid) F(hi) F(interpolation) F(region) F(constant_density))     \

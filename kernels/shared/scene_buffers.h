@@ -25,9 +25,7 @@
   ROW(__global, Triangle, triangles, FLAT, triangles, "triangles") NEXT                                   \
   ROW(__global, Instance, instances, FLAT, instances, "instances") NEXT                                   \
   ROW(__global, float, bvh_nodes, FLAT, bvh_nodes, "BVH nodes") NEXT                                      \
-  ROW(__global, int, bvh_links, FLAT, bvh_links, "BVH links") NEXT                                        \
   ROW(__global, float, bvh_blocks, FLAT, bvh_blocks, "BVH triangles") NEXT                                \
-  ROW(__global, int, bvh_ids, FLAT, bvh_ids, "BVH triangle numbers") NEXT                                 \
   ROW(__global, Medium, media, JOINED, media, "media") NEXT                                               \
   ROW(__global, int, bricks, FLAT, bricks, "brick index") NEXT                                            \
   ROW(__global, float, ranges, STORED, brick_ranges, "brick ranges") NEXT                                 \

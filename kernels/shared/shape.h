@@ -86,8 +86,9 @@ typedef struct {
   int mesh;      // its number in FlatScene::meshes
   int material;  // instead of those of the triangles; -1: theirs
   float reach;   // how large coordinates get on the way there and back, in the world: PICTURE, Hits
+  Packed3 lo, hi;  // a box about it in the world, wider than what rounding of that way comes to
 } Instance;
-BRUME_LAYOUT(Instance, 112);
+BRUME_LAYOUT(Instance, 136);
 
 // A primary key of everything that can be hit: analytic shapes first, triangles from FIRST_TRIANGLE on; of instances the
 // triangle of the mesh, and the number of the instance beside it.

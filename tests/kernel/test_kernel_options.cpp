@@ -50,8 +50,8 @@ Tolds scene_values() {
 }
 
 Tolds device_values() {
-  return {{"LANES", 1},    {"LANES", 4},   {"LANES", 8},   {"LANES", 16},  {"BVH_WIDTH", 16}, {"FAST_FMA", 0},
-          {"FAST_FMA", 1}, {"OUTLINE", 0}, {"OUTLINE", 1}, {"STORAGE", 0}, {"STORAGE", 1},    {"STORAGE", 2}};
+  return {{"LANES", 1},    {"LANES", 4},   {"LANES", 8},   {"LANES", 16},  {"BVH_WIDTH", 4}, {"FAST_FMA", 0},
+          {"FAST_FMA", 1}, {"OUTLINE", 0}, {"OUTLINE", 1}, {"STORAGE", 0}, {"STORAGE", 1},   {"STORAGE", 2}};
 }
 
 void expect_builds(const Tolds& tolds) {

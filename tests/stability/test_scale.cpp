@@ -2,6 +2,7 @@
 #include <iterator>
 #include <regex>
 
+#include "closed_mesh.hpp"
 #include "render/program.hpp"
 #include "stability/worlds.hpp"
 
@@ -69,6 +70,12 @@ const World WORLDS[] = {
      R"({"camera": {"type": "orthographic", "eye": [0, <1>, <4>], "target": [0, 0, 0], "height": <2.5>}, "background": 0.1,
       "lights": [{"type": "directional", "direction": [-1, -1, -0.5], "irradiance": 3}],
       "shapes": [{"type": "mesh", "file": "corners.obj", "transform": [{"scale": <1>}]}]})"},
+    {"rough ball",  // that mirrors and shades itself
+     R"({"camera": {"eye": [<0.5>, <1.2>, <2.6>], "target": [0, 0, 0], "vfov": 45}, "background": [0.1, 0.2, 0.3],
+      "lights": [{"type": "point", "position": [<2>, <1>, <0.4>], "intensity": <2 6>}],
+      "materials": {"mirror": {"diffuse": 0.4, "reflection": 0.5}},
+      "shapes": [{"type": "mesh", "file": "ball.obj", "transform": [{"scale": <1>}], "material": "mirror"},
+        {"type": "quad", "corner": [<-2>, <-1>, <-2>], "u": [0, 0, <4>], "v": [<4>, 0, 0]}]})"},
     {"floor", R"({"camera": {"eye": [0, <2>, <4>], "target": [0, 0, 0], "vfov": 40}, "background": 0.3,
       "lights": [{"type": "point", "position": [0, <1>, 0], "intensity": <2 3>}],
       "materials": {"checker": {"diffuse": 1, "texture": {"type": "checker", "scale": <-1 1>}}},
@@ -79,10 +86,11 @@ using Scale = Program;
 
 TEST_F(Scale, ThePictureIsTheSameFromTenToTheMinus25To25) {
   write("corners.obj", CORNERS_OBJ);
+  write("ball.obj", closed_mesh(3, 0.05).obj());
   for (const World& world : WORLDS) {
     const Film base = film_of(scene_of(in_units(world.text, 1), folder_));
     expect_shows(base, world.name);
-    for (const double unit : {1e-25, 1e-14, 3e-7, 1e4, 1e13, 1e25}) {
+    for (const double unit : {1e-25, 1e-14, 3e-7, 1e-4, 1e4, 1e13, 1e25}) {
       const std::string what = std::string(world.name) + " times " + number_text(unit);
       const PlannedScene scene = scene_of(in_units(world.text, unit), folder_);
       const Film film = film_of(scene);
@@ -110,6 +118,7 @@ TEST(ScaleWithin, SmallThingsInALargeWorldStay) {
 // A power of two rounds nothing.
 TEST_F(Scale, PowersOfTwoLeaveEveryBit) {
   write("corners.obj", CORNERS_OBJ);
+  write("ball.obj", closed_mesh(3, 0.05).obj());
   for (const World& world : WORLDS) {
     const Film base = film_of(scene_of(in_units(world.text, 1), folder_));
     for (const double unit : {0x1p-80, 0x1p80}) {

@@ -1,7 +1,7 @@
 // scene_hit of W rays at once: the same bits, sooner where the rays go about the same way.
 #ifndef BRUME_SHAPES_TOGETHER_CL
 #define BRUME_SHAPES_TOGETHER_CL
-#include "shapes/packet.cl"
+#include "shapes/instance_packet.cl"
 #include "shapes/shapes.cl"
 
 #if W > 1 && BRUME_TRIANGLES
@@ -52,23 +52,67 @@ static inline void packet_to_hits(const PacketHit* packet, Hit* hits) {
   }
 }
 
-// Nearest surface with t > 0 of each ray.
-static inline void rays_hit(const Scene* scene, RayLanes* rays) {
-  for (int i = 0; i < W; ++i)
-    rays->hit[i] = shapes_hit(scene, lane_vector(rays->origin, i), lane_vector(rays->dir, i), INFINITY, 0);
-  if (scene->frame->triangle_count == 0) return;
+static inline RayPacket packet_of_rays(RayLanes* rays) {
   RayPacket packet;
   for (int axis = 0; axis < 3; ++axis) {
     packet.origin.v[axis] = lanes_load(rays->origin[axis]);
     packet.dir.v[axis] = lanes_load(rays->dir[axis]);
   }
-  PacketHit found = packet_of_hits(rays->hit);
-  if (packet_hit(scene, 0, &packet, &found)) {
-    packet_to_hits(&found, rays->hit);
-  } else {
-    for (int i = 0; i < W; ++i)
-      bvh_hit(scene, 0, lane_vector(rays->origin, i), lane_vector(rays->dir, i), 0, &rays->hit[i]);
+  return packet;
+}
+
+#if BRUME_INSTANCES
+// Nearest triangle of an instance of each ray.
+static inline void rays_hit_instances(const Scene* scene, RayLanes* rays) {
+  InstanceRays all;
+  for (int i = 0; i < W; ++i) {
+    for (int axis = 0; axis < 3; ++axis) {
+      all.origin[axis][i] = rays->origin[axis][i];
+      all.dir[axis][i] = rays->dir[axis][i];
+    }
+    const Hit hit = rays->hit[i];
+    all.t[i] = hit.t;
+    all.u[i] = hit.u;
+    all.v[i] = hit.v;
+    all.primitive[i] = hit.primitive;
+    all.instance[i] = hit.instance;
   }
+  const RayPacket packet = packet_of_rays(rays);
+  const int done = instances_packet_hit(scene, &packet, &all);
+  for (int i = 0; i < W; ++i) {
+    Hit* hit = &rays->hit[i];
+    if (all.instance[i] != INSTANCE_NONE) {
+      hit->t = all.t[i];
+      hit->u = all.u[i];
+      hit->v = all.v[i];
+      hit->primitive = all.primitive[i];
+      hit->instance = all.instance[i];
+    }
+    if (!done) instances_hit(scene, lane_vector(rays->origin, i), lane_vector(rays->dir, i), 0, hit);
+  }
+}
+#define packet_hit_below tree_packet_hit
+#else
+#define packet_hit_below packet_hit
+#endif
+
+// Nearest surface with t > 0 of each ray.
+static inline void rays_hit(const Scene* scene, RayLanes* rays) {
+  for (int i = 0; i < W; ++i)
+    rays->hit[i] = shapes_hit(scene, lane_vector(rays->origin, i), lane_vector(rays->dir, i), INFINITY, 0);
+  if (scene->frame->triangle_count > 0) {
+    const RayPacket packet = packet_of_rays(rays);
+    PacketHit found = packet_of_hits(rays->hit);
+    if (packet_hit_below(scene, 0, &packet, &found)) {
+      packet_to_hits(&found, rays->hit);
+    } else {
+      for (int i = 0; i < W; ++i)
+        tree_hit(scene, 0, lane_vector(rays->origin, i), lane_vector(rays->dir, i), 0, &rays->hit[i]);
+    }
+  }
+#if BRUME_INSTANCES
+  if (scene->frame->instance_root >= 0) rays_hit_instances(scene, rays);
+#endif
 }
 #endif
 

@@ -39,22 +39,30 @@ TEST(Together, RaysHitWhatTheyHitAlone) {
   const auto folder = std::filesystem::temp_directory_path() / ("brume-together-" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "ball.obj") << test::closed_mesh(5, 0.1).obj();
-  const char* text = R"({"shapes": [{"type": "mesh", "file": "ball.obj"},
-    {"type": "sphere", "radius": 0.98}, {"type": "box", "min": [0.5, 0.5, -2], "max": [0.6, 0.9, 2]}]})";
+  const std::string others =
+      R"({"type": "sphere", "radius": 0.98}, {"type": "box", "min": [0.5, 0.5, -2], "max": [0.6, 0.9, 2]}]})";
+  const std::string instances =
+      R"([{"translate": [0.6, 0, 0]}], [{"scale": [-0.9, 1.3, 0.5]}, {"rotate": [1, 2, 3, 50]}],
+    [{"translate": [0.6, 0, 0]}], [{"scale": 0.02}, {"translate": [1.1, 0.3, 0]}], [{"scale": 0.02}, {"translate": [1.1, 0.36, 0]}])";
+  const std::string texts[] = {
+      R"({"shapes": [{"type": "mesh", "file": "ball.obj"}, )" + others,
+      R"({"shapes": [{"type": "mesh", "file": "ball.obj", "instances": [)" + instances +
+          R"(]}, {"type": "triangle", "vertices": [[-3, -1, 0.2], [3, -1, 0.2], [0, 1, 0.1]]}, )" + others};
   Context context(device_choose("portable computing language"));
   CheckRandom random;
-  for (const int lanes : {4, 8, 16}) {
-    const PlannedScene scene = flatten(scene_read_text(text, folder / "ball.json", {}), {bvh_width_for(lanes), {}});
-    const Probe probe(context, scene, lanes);
-    for (const int count : {3, 16 * 4096 + 5})
-      for (const auto& [cone, apart] : {std::pair{0.02, 0.0}, {0.1, 0.0}, {0.05, 0.05}, {1.0, 1.0}}) {
-        const std::vector<float> rays = groups(count, cone, apart, random);
-        std::vector<float> alone = probe.run("probe_hit", rays, 7, 4);
-        const std::vector<float> together = probe.run("probe_hit_together", rays, 7, 4);
-        EXPECT_EQ(std::memcmp(alone.data(), together.data(), alone.size() * sizeof(float)), 0)
-            << lanes << " lanes, " << count << " rays, cone " << cone << ", apart " << apart;
-      }
-  }
+  for (const int lanes : {4, 8, 16})
+    for (const std::string& text : texts) {
+      const PlannedScene scene = flatten(scene_read_text(text, folder / "ball.json", {}), {bvh_width_for(lanes), {}});
+      const Probe probe(context, scene, lanes);
+      for (const int count : {3, 16 * 4096 + 5})
+        for (const auto& [cone, apart] : {std::pair{0.02, 0.0}, {0.1, 0.0}, {0.05, 0.05}, {1.0, 1.0}}) {
+          const std::vector<float> rays = groups(count, cone, apart, random);
+          std::vector<float> alone = probe.run("probe_hit", rays, 7, 5);
+          const std::vector<float> together = probe.run("probe_hit_together", rays, 7, 5);
+          EXPECT_EQ(std::memcmp(alone.data(), together.data(), alone.size() * sizeof(float)), 0)
+              << lanes << " lanes, " << count << " rays, cone " << cone << ", apart " << apart;
+        }
+    }
   std::filesystem::remove_all(folder);
 }
 

@@ -1,10 +1,13 @@
-// scene_hit of W rays at once: the same bits, sooner where the rays go about the same way.
+// scene_hit of W rays at once: the same bits (of `any`, the same answer), sooner where the rays go about the same way.
 #ifndef BRUME_SHAPES_TOGETHER_CL
 #define BRUME_SHAPES_TOGETHER_CL
 #include "shapes/packet.cl"
 #include "shapes/shapes.cl"
 
-#if W > 1 && BRUME_TRIANGLES
+// On a CPU the first of W work-items works for all of them.
+#define RAYS_TOGETHER (W > 1 && BRUME_TRIANGLES)
+
+#if RAYS_TOGETHER
 typedef struct {
   float origin[3][W], dir[3][W];
   Hit hit[W];
@@ -12,7 +15,9 @@ typedef struct {
 
 static inline float3 lane_vector(float v[3][W], int lane) { return (float3)(v[0][lane], v[1][lane], v[2][lane]); }
 
-static inline void ray_lane_set(RayLanes* rays, int lane, float3 origin, float3 dir) {
+// t_max not above 0: nothing is looked for.
+static inline void ray_lane_set(RayLanes* rays, int lane, float3 origin, float3 dir, float t_max) {
+  rays->hit[lane].t = t_max;
   rays->origin[0][lane] = origin.x;
   rays->origin[1][lane] = origin.y;
   rays->origin[2][lane] = origin.z;
@@ -52,10 +57,14 @@ static inline void packet_to_hits(const PacketHit* packet, Hit* hits) {
   }
 }
 
-// Nearest surface with t > 0 of each ray.
-static inline void rays_hit(const Scene* scene, RayLanes* rays) {
-  for (int i = 0; i < W; ++i)
-    rays->hit[i] = shapes_hit(scene, lane_vector(rays->origin, i), lane_vector(rays->dir, i), INFINITY, 0);
+// Nearest surface with 0 < t < t_max of each ray; `any`: the first one found will do.
+static inline void rays_hit(const Scene* scene, RayLanes* rays, int any) {
+  for (int i = 0; i < W; ++i) {
+    Hit* hit = &rays->hit[i];
+    hit->primitive = PRIMITIVE_NONE;
+    if (hit->t > 0.0f) *hit = shapes_hit(scene, lane_vector(rays->origin, i), lane_vector(rays->dir, i), hit->t, any);
+    if (any && hit->primitive != PRIMITIVE_NONE) hit->t = PACKET_DONE;
+  }
   if (scene->frame->triangle_count == 0) return;
   RayPacket packet;
   for (int axis = 0; axis < 3; ++axis) {
@@ -63,12 +72,13 @@ static inline void rays_hit(const Scene* scene, RayLanes* rays) {
     packet.dir.v[axis] = lanes_load(rays->dir[axis]);
   }
   PacketHit found = packet_of_hits(rays->hit);
-  if (packet_hit(scene, 0, &packet, &found)) {
+  if (packet_hit(scene, 0, &packet, any, &found)) {
     packet_to_hits(&found, rays->hit);
-  } else {
-    for (int i = 0; i < W; ++i)
-      bvh_hit(scene, 0, lane_vector(rays->origin, i), lane_vector(rays->dir, i), 0, &rays->hit[i]);
+    return;
   }
+  for (int i = 0; i < W; ++i)
+    if (rays->hit[i].t > 0.0f)
+      bvh_hit(scene, 0, lane_vector(rays->origin, i), lane_vector(rays->dir, i), any, &rays->hit[i]);
 }
 #endif
 

@@ -61,7 +61,8 @@ std::vector<float> camera_rays(const FlatScene& scene, const View& view) {
   for (int top = 0; top < SIDE; top += TILE)
     for (int left = 0; left < SIDE; left += TILE)
       for (int i = 0; i < TILE * TILE; ++i) {
-        const double u = 2 * (left + i % TILE + 0.5) / SIDE - 1, v = 1 - 2 * (top + i / TILE + 0.5) / SIDE;
+        const int column = left + i % TILE, row = top + i / TILE;
+        const double u = 2 * (column + 0.5) / SIDE - 1, v = 1 - 2 * (row + 0.5) / SIDE;
         ray_add(rays, eye, glm::normalize(view.half * (u * x + v * y) - z), INFINITY);
       }
   return rays;

@@ -51,12 +51,7 @@ class Kernels {
   void turned(const char* name, const char* item, double a_turn, cl::Kernel& kernel) const;
   void copied() const;
   double walked(const char* name, std::vector<double>& seconds) const;
-  std::size_t group() const;
 };
-
-std::size_t Kernels::group() const {
-  return std::min<std::size_t>(bench_.context.device().cpu ? 16 : 64, bench_.context.device().max_group);
-}
 
 double Kernels::run(const cl::Kernel& kernel, std::size_t items, const cl::NDRange& group) const {
   cl::Event event;
@@ -85,10 +80,10 @@ void Kernels::turned(const char* name, const char* item, double a_turn, cl::Kern
   cl_uint turns = 1;
   for (double seconds = 0; seconds < LEAST_SECONDS && turns < (1u << 30); turns *= 2) {
     kernel.setArg(0, 2 * turns);
-    seconds = run(kernel, items, cl::NDRange(group()));
+    seconds = run(kernel, items, cl::NDRange(bench_.context.device().group));
   }
   bench_.add(name, item, a_turn * turns * static_cast<double>(items),
-             runs(kernel, items, cl::NDRange(group()), LIMIT_RUNS), cost_of(item));
+             runs(kernel, items, cl::NDRange(bench_.context.device().group), LIMIT_RUNS), cost_of(item));
 }
 
 void Kernels::copied() const {
@@ -122,8 +117,8 @@ double Kernels::walked(const char* name, std::vector<double>& seconds) const {
   cl_uint argument = planned_.set_arguments(kernel);
   kernel.setArg(argument++, static_cast<cl_uint>(rays));
   kernel.setArg(argument, out);
-  const std::size_t groups = (rays + group() - 1) / group();
-  seconds = runs(kernel, groups * group(), cl::NDRange(group()));
+  const std::size_t groups = (rays + bench_.context.device().group - 1) / bench_.context.device().group;
+  seconds = runs(kernel, groups * bench_.context.device().group, cl::NDRange(bench_.context.device().group));
   bench_.context.queue().enqueueReadBuffer(out, CL_TRUE, 0, counted.size() * sizeof(float), counted.data());
   double items = 0;
   for (std::size_t i = 0; i < rays; ++i) items += counted[2 * i];

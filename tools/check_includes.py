@@ -27,7 +27,7 @@ HOST = {
     "witness": "base shared flat plan film image reference",
     "chart": "base shared scene load image flat plan cl film reference render witness",
     "pilot": "base scene flat plan film image render witness chart shared",
-    "check": "base shared scene volume flat plan film reference render cl",
+    "check": "base shared scene volume mesh load flat plan film reference render cl",
     "stability": "base shared scene flat plan film reference render cl check",
     "cli": "base shared scene volume mesh accel image load flat plan cl film reference render witness "
     "chart pilot check stability",

@@ -1,6 +1,7 @@
 // See gathered_mesh.hpp. Materials: gathered_materials.cpp.
 #include "assimp/gathered_mesh.hpp"
 
+#include <algorithm>
 #include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -13,6 +14,8 @@
 namespace brume {
 
 namespace {
+
+constexpr unsigned SHARED_FACES_MIN = 33;  // a copy of fewer takes no more room than where it stands
 
 constexpr std::size_t VERTICES_MAX = std::numeric_limits<std::int32_t>::max();
 
@@ -27,15 +30,18 @@ glm::dvec3 vector_of(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 class Gatherer {
  public:
   Gatherer(const aiScene& scene, bool has_materials, GatheredMesh& out)
-      : scene_(scene), has_materials_(has_materials), out_(out) {}
+      : scene_(scene), has_materials_(has_materials), out_(out), places_(scene.mNumMeshes) {}
 
-  void node(const aiNode& node, const glm::dmat4& parent) {
-    const glm::dmat4 world = parent * matrix_of(node.mTransformation);
-    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
-      if (node.mMeshes[i] >= scene_.mNumMeshes) throw InputError("a node names a mesh that is not there");
-      add(*scene_.mMeshes[node.mMeshes[i]], world);
+  void run() {
+    if (scene_.mRootNode) node(*scene_.mRootNode, glm::dmat4(1.0));
+    for (const auto& [mesh, place] : uses_)
+      if (!is_shared(mesh)) add(*scene_.mMeshes[mesh], glm::dmat4(places_[mesh][place]));
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
+      if (!is_shared(i)) continue;
+      out_.parts.push_back({out_.faces.size(), places_[i].size()});
+      out_.placements.insert(out_.placements.end(), places_[i].begin(), places_[i].end());
+      add(*scene_.mMeshes[i], glm::dmat4(1.0));
     }
-    for (unsigned i = 0; i < node.mNumChildren; ++i) this->node(*node.mChildren[i], world);
   }
 
   void tell() {
@@ -45,6 +51,25 @@ class Gatherer {
   }
 
  private:
+  void node(const aiNode& node, const glm::dmat4& parent) {
+    const glm::dmat4 world = parent * matrix_of(node.mTransformation);
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+      if (node.mMeshes[i] >= scene_.mNumMeshes) throw InputError("a node names a mesh that is not there");
+      std::vector<MeshPlacement>& places = places_[node.mMeshes[i]];
+      uses_.emplace_back(node.mMeshes[i], places.size());
+      places.emplace_back(world);
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i) this->node(*node.mChildren[i], world);
+  }
+
+  // A node may flatten a mesh, which no instance can.
+  bool is_shared(unsigned mesh) const {
+    const std::vector<MeshPlacement>& places = places_[mesh];
+    return places.size() > 1 && scene_.mMeshes[mesh]->mNumFaces >= SHARED_FACES_MIN &&
+           std::all_of(places.begin(), places.end(), placement_keeps_volume);
+  }
+
+  // A mirror turns faces around: their corners then go the other way round, as the standard says.
   void add(const aiMesh& mesh, const glm::dmat4& world) {
     if (out_.positions.size() + mesh.mNumVertices > VERTICES_MAX) throw InputError("has more than 2^31 vertices");
     const auto first = static_cast<std::int32_t>(out_.positions.size());
@@ -57,6 +82,7 @@ class Gatherer {
       if (mesh.HasTextureCoords(0)) out_.uvs.push_back({mesh.mTextureCoords[0][i].x, mesh.mTextureCoords[0][i].y});
     }
     colored_ |= mesh.HasVertexColors(0);
+    const bool mirrored = glm::determinant(glm::dmat3(world)) < 0;
     const std::int32_t material = has_materials_ ? static_cast<std::int32_t>(mesh.mMaterialIndex) : -1;
     // Where glTF says no normals, faces are flat; where PLY says none, they are smooth.
     const int group = has_materials_ && !mesh.HasNormals() ? GROUP_FLAT : GROUP_ALL;
@@ -68,10 +94,11 @@ class Gatherer {
       }
       out_.faces.push_back({face.mNumIndices, material, group});
       for (unsigned k = 0; k < face.mNumIndices; ++k) {
-        if (face.mIndices[k] >= mesh.mNumVertices)
-          throw InputError("face " + std::to_string(f) + " names vertex " + std::to_string(face.mIndices[k]) + " of " +
+        const unsigned corner = face.mIndices[mirrored ? face.mNumIndices - 1 - k : k];
+        if (corner >= mesh.mNumVertices)
+          throw InputError("face " + std::to_string(f) + " names vertex " + std::to_string(corner) + " of " +
                            std::to_string(mesh.mNumVertices));
-        const auto index = static_cast<std::int32_t>(face.mIndices[k]);
+        const auto index = static_cast<std::int32_t>(corner);
         out_.corners.push_back({first + index, mesh.HasNormals() ? first_normal + index : -1,
                                 mesh.HasTextureCoords(0) ? first_uv + index : -1});
       }
@@ -81,6 +108,8 @@ class Gatherer {
   const aiScene& scene_;
   bool has_materials_;
   GatheredMesh& out_;
+  std::vector<std::vector<MeshPlacement>> places_;      // of each mesh
+  std::vector<std::pair<unsigned, std::size_t>> uses_;  // in the order of the nodes: which mesh, at which of its places
   std::size_t points_and_lines_ = 0;
   bool colored_ = false;
 };
@@ -90,7 +119,7 @@ class Gatherer {
 GatheredMesh mesh_gather(const aiScene& scene, bool has_materials) {
   GatheredMesh out;
   Gatherer gatherer(scene, has_materials, out);
-  if (scene.mRootNode) gatherer.node(*scene.mRootNode, glm::dmat4(1.0));
+  gatherer.run();
   gatherer.tell();
   if (has_materials) materials_gather(scene, out);
   return out;

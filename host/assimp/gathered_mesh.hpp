@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesh/mesh_protocol.hpp"
+#include "mesh/placements.hpp"
 
 namespace brume {
 
@@ -23,11 +24,13 @@ struct GatheredMesh {
   std::vector<MeshCorner> corners;
   std::vector<MeshFace> faces;
   std::vector<MeshSurface> surfaces;
+  std::vector<MeshSentPart> parts;
+  std::vector<MeshPlacement> placements;
   std::vector<GatheredImage> images;
   std::vector<std::string> surface_names, notes;
 };
 
-// Every mesh as often as nodes have it, each time where it stands. InputError for indices out of range.
+// Every mesh where its node puts it; one that several nodes have once, with where they put it. InputError for indices out of range.
 GatheredMesh mesh_gather(const aiScene& scene, bool has_materials);
 
 }  // namespace brume

@@ -53,11 +53,13 @@ bool send_mesh(int socket, const GatheredMesh& mesh) {
                           mesh.positions.size(), mesh.normals.size(),
                           mesh.uvs.size(),       mesh.corners.size(),
                           mesh.faces.size(),     mesh.surfaces.size(),
+                          mesh.parts.size(),     mesh.placements.size(),
                           sizes.size(),          bytes.size(),
                           texts.size()};
   return helper_send(socket, &answer, sizeof answer) && send(socket, mesh.positions) && send(socket, mesh.normals) &&
          send(socket, mesh.uvs) && send(socket, mesh.corners) && send(socket, mesh.faces) &&
-         send(socket, mesh.surfaces) && send(socket, sizes) && helper_send(socket, bytes.data(), bytes.size()) &&
+         send(socket, mesh.surfaces) && send(socket, mesh.parts) && send(socket, mesh.placements) &&
+         send(socket, sizes) && helper_send(socket, bytes.data(), bytes.size()) &&
          helper_send(socket, texts.data(), texts.size());
 }
 

@@ -6,6 +6,8 @@
 
 namespace brume {
 
+class LoadedScene;
+
 // Adds the errors of one device and lane width.
 using CheckCompare = std::function<void(Context&, int lanes, ErrorSum&)>;
 
@@ -31,9 +33,13 @@ struct SceneText {
 };
 const std::vector<SceneText>& liquid_scenes();  // part of them
 const std::vector<SceneText>& glass_scenes();
+const std::vector<SceneText>& instance_scenes();
 std::vector<std::string> check_scene_names();
 SceneDesc check_scene_desc(const std::string& name);
 PlannedScene check_scene(const std::string& name, int size, int bvh_width);
+
+// The meshes that they name, without files.
+LoadedScene check_meshes();
 
 // Image textures without a file, added to a scene: 32 x 24 random texels, repeated; and the same, wrapped otherwise, in
 // other units. Return the texture's index.

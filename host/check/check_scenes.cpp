@@ -64,6 +64,7 @@ const std::vector<SceneText>& all_scenes() {
     all.insert(all.end(), std::begin(MEDIA_SCENES), std::end(MEDIA_SCENES));
     all.insert(all.end(), glass_scenes().begin(), glass_scenes().end());
     all.insert(all.end(), liquid_scenes().begin(), liquid_scenes().end());
+    all.insert(all.end(), instance_scenes().begin(), instance_scenes().end());
     return all;
   }();
   return scenes;

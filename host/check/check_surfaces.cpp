@@ -15,6 +15,8 @@ namespace brume {
 
 namespace {
 
+constexpr int HIT_VALUES = 5;  // of probe_hit
+
 struct Rays {
   std::vector<reference::RayD> rays;
   std::vector<float> packed;  // origin, direction, t_max
@@ -41,13 +43,14 @@ using SceneMake = std::function<PlannedScene(int bvh_width)>;
 CheckCompare hit_prepare(const SceneMake& make, int size) {
   return [make, rays = rays_make(size * size)](Context& context, int lanes, ErrorSum& sum) {
     const PlannedScene scene = make(bvh_width_for(lanes));
-    const std::vector<float> hits = Probe(context, scene, lanes).run("probe_hit", rays.packed, 7, 4);
+    const std::vector<float> hits = Probe(context, scene, lanes).run("probe_hit", rays.packed, 7, HIT_VALUES);
     const reference::TriangleBounds bounds(scene);
     for (std::size_t i = 0; i < rays.rays.size(); ++i) {
       const auto expected = reference::nearest_hit(scene, bounds, rays.rays[i]);
-      const bool same = (expected.primitive == PRIMITIVE_NONE) == (float_as_bits(hits[4 * i + 1]) == PRIMITIVE_NONE);
+      const bool same =
+          (expected.primitive == PRIMITIVE_NONE) == (float_as_bits(hits[HIT_VALUES * i + 1]) == PRIMITIVE_NONE);
       if (same) {
-        add_or_edge(sum, {hits[4 * i]}, {expected.t}, [&](int move) -> std::vector<double> {
+        add_or_edge(sum, {hits[HIT_VALUES * i]}, {expected.t}, [&](int move) -> std::vector<double> {
           return {reference::nearest_hit(scene, bounds, ray_moved(rays.rays[i], move)).t};
         });
       } else {
@@ -97,18 +100,19 @@ CheckCompare surface_prepare(const SceneMake& make, int size) {
   return [make, rays = rays_make(size * size)](Context& context, int lanes, ErrorSum& sum) {
     const PlannedScene scene = make(bvh_width_for(lanes));
     const Probe probe(context, scene, lanes);
-    const std::vector<float> hits = probe.run("probe_hit", rays.packed, 7, 4);
+    const std::vector<float> hits = probe.run("probe_hit", rays.packed, 7, HIT_VALUES);
     std::vector<float> in;
     std::vector<reference::SurfaceD> expected;
     for (std::size_t i = 0; i < rays.rays.size(); ++i) {
-      const float* hit = &hits[4 * i];
+      const float* hit = &hits[HIT_VALUES * i];
       if (float_as_bits(hit[1]) == PRIMITIVE_NONE) continue;
       in.insert(in.end(), rays.packed.begin() + 7 * i, rays.packed.begin() + 7 * i + 6);
-      in.insert(in.end(), hit, hit + 4);
-      expected.push_back(reference::surface_at(scene, rays.rays[i], {hit[0], float_as_bits(hit[1]), hit[2], hit[3]}));
+      in.insert(in.end(), hit, hit + HIT_VALUES);
+      expected.push_back(reference::surface_at(scene, rays.rays[i],
+                                               {hit[0], float_as_bits(hit[1]), hit[2], hit[3], float_as_bits(hit[4])}));
     }
     if (expected.empty()) return;  // no items: missed
-    const std::vector<float> found = probe.run("probe_surface", in, 10, 8);
+    const std::vector<float> found = probe.run("probe_surface", in, 6 + HIT_VALUES, 8);
     for (std::size_t i = 0; i < expected.size(); ++i) surface_add(sum, &found[8 * i], expected[i]);
   };
 }
@@ -121,6 +125,7 @@ std::vector<Check> surface_checks() {
     if (row.id < SHAPE_COUNT)
       scenes.emplace_back(row.name,
                           [type = row.id](int width) { return row_scene(shape_desc(type), "shape", 8, width); });
+  scenes.emplace_back("instances", [](int width) { return check_scene("instances", 8, width); });
   scenes.emplace_back("triangles", [](int width) { return check_scene("mesh", 8, width); });
   std::vector<Check> checks;
   for (const auto& [name, make] : scenes) {

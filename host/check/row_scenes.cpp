@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "check/check_parts.hpp"
+#include "load/loaded_scene.hpp"
 #include "plan/planned_scene.hpp"
 #include "scene/families.hpp"
 #include "shared/shape.h"
@@ -129,7 +130,9 @@ SceneDesc material_desc(int model) {
 PlannedScene row_scene(SceneDesc desc, const std::string& name, int size, int bvh_width) {
   desc.file = name + ".json";
   desc.film.size = {size, size};
-  return flatten(desc, {bvh_width, {}});
+  LoadedScene loaded = check_meshes();
+  loaded.needed_again = false;
+  return flatten(desc, loaded, {bvh_width, {}});
 }
 
 }  // namespace brume

@@ -22,6 +22,16 @@ std::string lower(std::string text) {
   return text;
 }
 
+// Private arrays of all items of a group lie on the worker's stack in PoCL: few items on a CPU.
+constexpr std::size_t GROUP_CPU = 16, GROUP_GPU = 64;
+
+// llvmpipe takes the items of a group side by side and mixes them up where they part ways: Mesa 22.3 itself warns that
+// "results may be incorrect". Alone they are right.
+std::size_t group_of(const DeviceInfo& info) {
+  if (lower(info.name).find("llvmpipe") != std::string::npos) return 1;
+  return std::min(info.cpu ? GROUP_CPU : GROUP_GPU, info.device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>());
+}
+
 DeviceInfo device_describe(const cl::Platform& platform, const cl::Device& device, int index) {
   DeviceInfo info;
   info.index = index;
@@ -37,7 +47,7 @@ DeviceInfo device_describe(const cl::Platform& platform, const cl::Device& devic
   info.float_width = static_cast<int>(device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>());
   info.memory_bytes = device.getInfo<CL_DEVICE_GLOBAL_MEM_SIZE>();
   info.max_buffer_bytes = device.getInfo<CL_DEVICE_MAX_MEM_ALLOC_SIZE>();
-  info.max_group = device.getInfo<CL_DEVICE_MAX_WORK_GROUP_SIZE>();
+  info.group = group_of(info);
   return info;
 }
 

@@ -18,7 +18,8 @@ struct DeviceInfo {
   bool fast_fma;
   int compute_units;
   int float_width;  // native vector width in floats
-  std::size_t memory_bytes, max_buffer_bytes, max_group;
+  std::size_t memory_bytes, max_buffer_bytes;
+  std::size_t group;  // items of a work-group
 
   int lanes() const;  // 4, 8 or 16 on a CPU by its vector width, 1 elsewhere
   std::string title() const { return name + " (" + platform + ")"; }

@@ -14,6 +14,7 @@
 #include "cli/file_kind.hpp"
 #include "cli/kernels_describe.hpp"
 #include "flat/bricks.hpp"
+#include "flat/mesh_outline.hpp"
 #include "mesh/mesh.hpp"
 #include "plan/planned_scene.hpp"
 #include "render/renderer.hpp"
@@ -56,13 +57,16 @@ Json info_volume(const Path& file) {
   return {{"file", file.string()}, {"kind", "volume"}, {"grids", grids}};
 }
 
+// Those of a mesh that several nodes have as often as it stands there.
+std::size_t triangles_shown(const Mesh& mesh) {
+  std::size_t count = mesh.triangles.size();
+  for (const MeshPart& part : mesh.parts) count += part.count * (part.placements.size() - 1);
+  return count;
+}
+
 Json info_mesh(const Path& file) {
   const Mesh mesh = mesh_read(file);
-  dvec3 lo = mesh.positions[0], hi = lo;
-  for (const dvec3& p : mesh.positions) {
-    lo = glm::min(lo, p);
-    hi = glm::max(hi, p);
-  }
+  const Bounds bounds = mesh_bounds(mesh);
   Json materials = Json::array();
   for (const MeshMaterial& m : mesh.materials)
     materials.push_back(
@@ -70,11 +74,12 @@ Json info_mesh(const Path& file) {
   return {{"file", file.string()},
           {"kind", "mesh"},
           {"triangles", mesh.triangles.size()},
+          {"triangles_in_all_places", triangles_shown(mesh)},
           {"vertices", mesh.positions.size()},
           {"normals", mesh.normals.size()},
           {"texture_coordinates", mesh.uvs.size()},
-          {"min", triple(lo)},
-          {"max", triple(hi)},
+          {"min", triple(bounds.lo)},
+          {"max", triple(bounds.hi)},
           {"materials", materials},
           {"notes", mesh.notes}};
 }
@@ -154,6 +159,7 @@ Json info_scene(const Path& file) {
           {"textures", flat.textures.size()},
           {"shapes", flat.shapes.size()},
           {"triangles", flat.triangles.size()},
+          {"instances", flat.instances.size()},
           {"bvh", bvh_info(desc, flat)},
           {"media", media},
           {"bytes",
@@ -162,6 +168,7 @@ Json info_scene(const Path& file) {
             {"brick_index", flat.bricks.size() * sizeof(std::int32_t)},
             {"textures", flat.texels.size() * sizeof(float)},
             {"triangles", flat.triangles.size() * sizeof(Triangle)},
+            {"instances", flat.instances.size() * sizeof(Instance)},
             {"bvh", (flat.bvh_nodes.size() + flat.bvh_blocks.size()) * sizeof(float)}}},
           {"storage", family_name(storage_family(), flat.storage)},
           {"storage_error", flat.stored ? flat.stored->error : 0},

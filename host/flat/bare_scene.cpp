@@ -12,6 +12,7 @@
 #include "base/number_text.hpp"
 #include "flat/bounds.hpp"
 #include "flat/densest_view.hpp"
+#include "flat/mesh_outline.hpp"
 #include "flat/transform.hpp"
 #include "mesh/mesh.hpp"
 #include "volume/volume_file.hpp"
@@ -127,8 +128,7 @@ SceneDesc scene_of_volume(const std::filesystem::path& file, ivec2 film, LoadedS
 SceneDesc scene_of_mesh(const std::filesystem::path& file, ivec2 film, LoadedScene& loaded, std::string& report) {
   const std::shared_ptr<const Mesh> read = loaded.mesh(file);
   const Mesh& mesh = *read;
-  Bounds bounds;
-  for (const dvec3& p : mesh.positions) bounds.add(p);
+  const Bounds bounds = mesh_bounds(mesh);
 
   SceneDesc desc;
   desc.background = dvec3(0.06, 0.08, 0.11);

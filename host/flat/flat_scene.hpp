@@ -25,6 +25,11 @@ struct MediumSize {
   float densest = 0;   // largest density
 };
 
+// A mesh with instances.
+struct FlatMesh {
+  std::int32_t first, count;  // of FlatScene::triangles
+};
+
 struct FlatScene {
   // Lengths are in units of the scene's own size, positions relative to `origin` (both in world units): float is spent
   // on the scene, not on where it stands or how large it is. `unit` is a power of two, so that it rounds nothing;
@@ -35,6 +40,10 @@ struct FlatScene {
   glm::dvec3 world(const glm::dvec3& point) const { return point * unit + origin; }
   Bounds bounds;  // of everything finite, in the world; empty where nothing is
 
+  std::size_t world_triangles() const {  // which stand first
+    return meshes.empty() ? triangles.size() : static_cast<std::size_t>(meshes.front().first);
+  }
+
   std::vector<Light> light_sources;  // those of the scene file, then surfaces that emit, at one point each
   std::vector<Material> materials;
   std::vector<Texture> textures;
@@ -42,8 +51,11 @@ struct FlatScene {
 
   std::vector<Shape> shapes;
   std::vector<Isosurface> isosurfaces;
-  std::vector<uint> iso_masks;  // which cells of a brick each of them may cross
-  std::vector<Triangle> triangles;
+  std::vector<uint> iso_masks;      // which cells of a brick each of them may cross
+  std::vector<Triangle> triangles;  // in the world, then those of each mesh with instances in its own space
+  std::vector<FlatMesh> meshes;     // with instances
+  std::vector<Instance> instances;
+  int instance_root = -1;  // of the BVH over them; -1: none
   int bvh_width = 4, bvh_rule = BVH_SAH;
   std::vector<float> bvh_nodes;  // layout: shared/bvh.h
   std::vector<float> bvh_blocks;

@@ -6,11 +6,14 @@
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 
+#include "base/error.hpp"
 #include "flat/flatten_parts.hpp"
 
 namespace brume {
 
 namespace {
+
+constexpr std::size_t INSTANCE_LIGHTS_MAX = std::size_t(1) << 22;  // some 300 MB of them
 
 // A light beyond FAR_AWAY gets a unit of length of its own, in which it is no more than FAR_AWAY away.
 void light_place(const LightDesc& desc, const FlatScene& scene, Light& light) {
@@ -77,24 +80,97 @@ Extent extent_of(const Shape& shape) {
   }
 }
 
-Extent extent_of(const Triangle& t) {
-  const auto corner = [&](int i) { return dvec3(t.p[i].x, t.p[i].y, t.p[i].z); };
+Extent extent_of(const Triangle& t, const dmat4& world_from_triangle = dmat4(1.0)) {
+  const auto corner = [&](int i) { return transform_point(world_from_triangle, dvec3(t.p[i].x, t.p[i].y, t.p[i].z)); };
   const dvec3 a = corner(0), b = corner(1), c = corner(2);
   return {(a + b + c) / 3.0, 0.5 * glm::length(glm::cross(b - a, c - a))};
 }
 
 bool is_lit(const Packed3& emission) { return emission.x > 0 || emission.y > 0 || emission.z > 0; }
 
-void source_add(int primitive, const Packed3& emission, const Extent& extent, FlatScene& scene) {
+void source_add(int primitive, int instance, const Packed3& emission, const Extent& extent, FlatScene& scene) {
   Light light{};
   light.type = LIGHT_SURFACE;
   light.primitive = primitive;
+  light.instance = instance;
   light.points = 1;
   light.intensity = emission;
   light.position = packed(extent.middle);
   light.outer = static_cast<float>(extent.area);
   scene.light_sources.push_back(light);
 }
+
+class Emitters {
+ public:
+  Emitters(const SceneDesc& desc, FlatScene& scene) : desc_(desc), scene_(scene) {}
+
+  void shapes_add() {
+    for (std::size_t i = 0; i < scene_.shapes.size(); ++i) {
+      const Shape& shape = scene_.shapes[i];
+      if (!lights_up(shape.material)) continue;
+      const Extent extent = extent_of(shape);
+      if (extent.area > 0) {
+        source_add(static_cast<int>(i), INSTANCE_NONE, emission(shape.material), extent, scene_);
+      } else {
+        note_once(scene_.notes, "a plane or isosurface that emits is seen and lights nothing");
+      }
+    }
+  }
+
+  void triangles_add() {
+    for (std::size_t i = 0; i < scene_.world_triangles(); ++i) {
+      const Triangle& t = scene_.triangles[i];
+      if (lights_up(t.material))
+        source_add(FIRST_TRIANGLE + static_cast<int>(i), INSTANCE_NONE, emission(t.material), extent_of(t), scene_);
+    }
+  }
+
+  void instances_add() {
+    count_check();
+    for (std::size_t k = 0; k < scene_.instances.size(); ++k) {
+      const Instance& instance = scene_.instances[k];
+      if (instance.material >= 0 && !lights_up(instance.material)) continue;
+      const FlatMesh& mesh = scene_.meshes[static_cast<std::size_t>(instance.mesh)];
+      const dmat4 world_from_mesh = matrix(instance.world_from_mesh);
+      for (std::int32_t i = mesh.first; i < mesh.first + mesh.count; ++i) {
+        const Triangle& t = scene_.triangles[static_cast<std::size_t>(i)];
+        const int material = instance.material >= 0 ? instance.material : t.material;
+        if (lights_up(material))
+          source_add(FIRST_TRIANGLE + i, static_cast<int>(k), emission(material), extent_of(t, world_from_mesh),
+                     scene_);
+      }
+    }
+  }
+
+ private:
+  bool lights_up(int material) const {
+    const auto i = static_cast<std::size_t>(material);
+    return is_lit(scene_.materials[i].emission) && (i >= desc_.materials.size() || desc_.materials[i].is_light);
+  }
+  const Packed3& emission(int material) const { return scene_.materials[static_cast<std::size_t>(material)].emission; }
+
+  // Each triangle of each instance is a light; so many that there is no room for them are refused.
+  void count_check() const {
+    std::vector<std::size_t> own(scene_.meshes.size(), 0);  // triangles whose own material emits
+    for (std::size_t m = 0; m < own.size(); ++m)
+      for (std::int32_t i = scene_.meshes[m].first; i < scene_.meshes[m].first + scene_.meshes[m].count; ++i)
+        own[m] += lights_up(scene_.triangles[static_cast<std::size_t>(i)].material);
+    std::size_t lights = 0;
+    for (const Instance& instance : scene_.instances) {
+      const auto m = static_cast<std::size_t>(instance.mesh);
+      if (instance.material < 0) lights += own[m];
+      if (instance.material >= 0 && lights_up(instance.material))
+        lights += static_cast<std::size_t>(scene_.meshes[m].count);
+    }
+    if (lights > INSTANCE_LIGHTS_MAX)
+      throw InputError(desc_.file.string() + ": /shapes: " + std::to_string(lights) +
+                       " triangles of instances emit, each of which is a light; at most " +
+                       std::to_string(INSTANCE_LIGHTS_MAX) + " are allowed, a material with \"light\": false has none");
+  }
+
+  const SceneDesc& desc_;
+  FlatScene& scene_;
+};
 
 }  // namespace
 
@@ -103,26 +179,10 @@ void flatten_lights(const SceneDesc& desc, FlatScene& scene) {
 }
 
 void flatten_emitters(const SceneDesc& desc, FlatScene& scene) {
-  const auto lights_up = [&](int material) {
-    const auto i = static_cast<std::size_t>(material);
-    return is_lit(scene.materials[i].emission) && (i >= desc.materials.size() || desc.materials[i].is_light);
-  };
-  const auto emission = [&](int material) { return scene.materials[static_cast<std::size_t>(material)].emission; };
-  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-    const Shape& shape = scene.shapes[i];
-    if (!lights_up(shape.material)) continue;
-    const Extent extent = extent_of(shape);
-    if (extent.area > 0) {
-      source_add(static_cast<int>(i), emission(shape.material), extent, scene);
-    } else {
-      note_once(scene.notes, "a plane or isosurface that emits is seen and lights nothing");
-    }
-  }
-  for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
-    const Triangle& t = scene.triangles[i];
-    if (lights_up(t.material))
-      source_add(FIRST_TRIANGLE + static_cast<int>(i), emission(t.material), extent_of(t), scene);
-  }
+  Emitters emitters(desc, scene);
+  emitters.shapes_add();
+  emitters.triangles_add();
+  emitters.instances_add();
 }
 
 }  // namespace brume

@@ -154,8 +154,8 @@ void flatten_materials(const SceneDesc& desc, LoadedScene& loaded, LoadedShapes&
   scene.materials.push_back(material_flatten(MaterialDesc{}, scene.unit, textures));
   for (const LoadedMesh& mesh : shapes.meshes) {
     shapes.first_material.push_back(static_cast<int>(scene.materials.size()));
-    if (mesh.shape->material >= 0) continue;
-    for (const MeshMaterial& m : mesh.mesh.materials)
+    if (!mesh.shows_own) continue;
+    for (const MeshMaterial& m : mesh.mesh->materials)
       scene.materials.push_back(material_flatten(m, scene.unit, textures, scene.notes));
   }
 }

@@ -44,14 +44,25 @@ LoadedIsosurface load_isosurface(const SceneDesc& desc, const ShapeDesc& shape, 
 // The masks of an isosurface for the stored bricks from `first` on; returns Isosurface::masks.
 int iso_masks_append(std::size_t first, std::size_t bricks, float iso, FlatScene& scene);
 
+// Where a mesh stands that is held once.
+struct MeshPlace {
+  dmat4 world_from_mesh;
+  int material;   // an index into SceneDesc::materials; -1: those of the mesh
+  Bounds bounds;  // in the world
+};
+// Triangles of a mesh, in the world; with places in their own space.
 struct LoadedMesh {
-  const ShapeDesc* shape;
-  Mesh mesh;
+  std::shared_ptr<const Mesh> mesh;
+  std::size_t first, count;  // of its triangles
+  int shading;               // a TriangleShading
+  int material;              // as of a place, where it has none
+  bool shows_own;            // some of its materials are those of the mesh
+  std::vector<MeshPlace> places;
 };
 struct LoadedShapes {
   std::vector<const ShapeDesc*> analytic;
   std::vector<LoadedIsosurface> isosurfaces;  // of those among them, in their order
-  std::vector<LoadedMesh> meshes;             // single triangles too
+  std::vector<LoadedMesh> meshes;             // single triangles too; those with places stand last
   std::vector<int> first_material;            // per mesh: where its own materials begin in FlatScene::materials
   int default_material = 0;
   Bounds bounds;  // of everything finite
@@ -59,6 +70,8 @@ struct LoadedShapes {
 // Adds what is not told yet.
 void note_once(std::vector<std::string>& notes, const std::string& note);
 
+// Adds all meshes and triangles. Throws InputError for a singular instance.
+void load_meshes(const SceneDesc& desc, LoadedScene& loaded, LoadedShapes& shapes, std::vector<std::string>& notes);
 LoadedShapes load_shapes(const SceneDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes);
 
 void flatten_lights(const SceneDesc& desc, FlatScene& scene);
@@ -66,6 +79,8 @@ void flatten_lights(const SceneDesc& desc, FlatScene& scene);
 void flatten_emitters(const SceneDesc& desc, FlatScene& scene);
 void flatten_materials(const SceneDesc& desc, LoadedScene& loaded, LoadedShapes& shapes, FlatScene& scene);
 void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene);
+// Triangles, instances and the BVHs of both.
+void flatten_meshes(const LoadedShapes& shapes, FlatScene& scene);
 // needed_again: LoadedScene's; where nobody needs them again, grids give their memory back on the way.
 void flatten_media(const std::vector<LoadedMedium>& media, const std::vector<LoadedIsosurface>& isosurfaces,
                    bool needed_again, FlatScene& scene);

@@ -1,10 +1,8 @@
-// Shapes: analytic ones become Shape records, triangles and meshes become Triangles in world space behind a BVH.
+// Analytic shapes, which become Shape records. Meshes and triangles: load_meshes.cpp, flatten_meshes.cpp.
 #include <algorithm>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "accel/bvh.hpp"
-#include "base/error.hpp"
 #include "flat/flatten_parts.hpp"
 
 namespace brume {
@@ -86,57 +84,9 @@ struct AddBounds {
   }
   void operator()(const BoxDesc& b) const { box(b.min, b.max, transform_matrix(b.transform)); }
   void operator()(const IsosurfaceDesc&) const {}  // added with its grid
-  void operator()(const TriangleDesc& t) const {
-    for (const dvec3& p : t.vertices) bounds.add(p);
-  }
-  void operator()(const MeshDesc&) const {}  // added with its vertices
+  void operator()(const TriangleDesc&) const {}    // added with its vertices, as those of a mesh
+  void operator()(const MeshDesc&) const {}
 };
-
-Mesh mesh_of(const TriangleDesc& t) {
-  Mesh mesh;
-  mesh.positions.assign(t.vertices.begin(), t.vertices.end());
-  mesh.uvs = {{0, 0}, {1, 0}, {0, 1}};
-  mesh.triangles.push_back({{0, 1, 2}, {-1, -1, -1}, {0, 1, 2}, -1});
-  return mesh;
-}
-
-// A mesh in the world.
-Mesh mesh_load(const MeshDesc& desc, LoadedScene& loaded, std::vector<std::string>& notes) {
-  Mesh mesh = *loaded.mesh(desc.file);
-  for (const std::string& note : mesh.notes) note_once(notes, note);  // of a mesh that several shapes show
-  if (desc.shading != MeshShading::FLAT) mesh_complete_normals(mesh, desc.crease);
-  const dmat4 m = transform_matrix(desc.transform);
-  const glm::dmat3 normal_matrix = glm::transpose(glm::inverse(glm::dmat3(m)));
-  for (dvec3& p : mesh.positions) p = transform_point(m, p);
-  for (dvec3& n : mesh.normals) n = glm::length(n) > 0 ? glm::normalize(normal_matrix * n) : n;
-  return mesh;
-}
-
-int shading_of(const ShapeDesc& shape) {
-  const auto* mesh = std::get_if<MeshDesc>(&shape.geometry);
-  if (!mesh || mesh->shading == MeshShading::FLAT) return TRIANGLE_FLAT;
-  return mesh->shading == MeshShading::PHONG ? TRIANGLE_PHONG : TRIANGLE_GOURAUD;
-}
-
-Triangle triangle_flatten(const Mesh& mesh, const MeshTriangle& t, int shading, int material, const FlatScene& scene) {
-  Triangle out{};
-  out.material = material;
-  out.shading = shading;
-  for (int k = 0; k < 3; ++k) {
-    out.p[k] = packed(scene.point(mesh.positions[t.position[k]]));
-    if (shading != TRIANGLE_FLAT) out.n[k] = packed(mesh.normals[t.normal[k]]);
-    if (t.uv[k] < 0) continue;
-    out.uv[2 * k] = static_cast<float>(mesh.uvs[t.uv[k]].x);
-    out.uv[2 * k + 1] = static_cast<float>(mesh.uvs[t.uv[k]].y);
-  }
-  return out;
-}
-
-// In float a far or tiny triangle may lose its area; it can then not be hit and has no normal.
-bool has_area(const Triangle& t) {
-  const auto vec = [](const Packed3& p) { return dvec3(p.x, p.y, p.z); };
-  return glm::length(glm::cross(vec(t.p[1]) - vec(t.p[0]), vec(t.p[2]) - vec(t.p[0]))) > 0;
-}
 
 }  // namespace
 
@@ -148,18 +98,14 @@ LoadedShapes load_shapes(const SceneDesc& desc, LoadedScene& loaded, std::vector
   LoadedShapes shapes;
   for (const ShapeDesc& shape : desc.shapes) {
     std::visit(AddBounds{shapes.bounds}, shape.geometry);
-    if (const auto* triangle = std::get_if<TriangleDesc>(&shape.geometry)) {
-      shapes.meshes.push_back({&shape, mesh_of(*triangle)});
-    } else if (const auto* mesh = std::get_if<MeshDesc>(&shape.geometry)) {
-      shapes.meshes.push_back({&shape, mesh_load(*mesh, loaded, notes)});
-      for (const dvec3& p : shapes.meshes.back().mesh.positions) shapes.bounds.add(p);
-    } else {
-      shapes.analytic.push_back(&shape);
-      if (!std::holds_alternative<IsosurfaceDesc>(shape.geometry)) continue;
-      shapes.isosurfaces.push_back(load_isosurface(desc, shape, loaded, notes));
-      medium_bounds_add(shapes.isosurfaces.back().placed, shapes.bounds);
-    }
+    if (std::holds_alternative<TriangleDesc>(shape.geometry) || std::holds_alternative<MeshDesc>(shape.geometry))
+      continue;
+    shapes.analytic.push_back(&shape);
+    if (!std::holds_alternative<IsosurfaceDesc>(shape.geometry)) continue;
+    shapes.isosurfaces.push_back(load_isosurface(desc, shape, loaded, notes));
+    medium_bounds_add(shapes.isosurfaces.back().placed, shapes.bounds);
   }
+  load_meshes(desc, loaded, shapes, notes);
   return shapes;
 }
 
@@ -171,25 +117,6 @@ void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene) {
     shape.material = desc->material >= 0 ? desc->material : shapes.default_material;
     scene.shapes.push_back(shape);
   }
-  std::size_t dropped = 0;
-  for (std::size_t i = 0; i < shapes.meshes.size(); ++i) {
-    const auto& [desc, mesh] = shapes.meshes[i];
-    for (const MeshTriangle& t : mesh.triangles) {
-      const int own = t.material >= 0 ? shapes.first_material[i] + t.material : shapes.default_material;
-      const Triangle flat =
-          triangle_flatten(mesh, t, shading_of(*desc), desc->material >= 0 ? desc->material : own, scene);
-      if (has_area(flat)) {
-        scene.triangles.push_back(flat);
-      } else {
-        ++dropped;
-      }
-    }
-  }
-  if (dropped > 0)
-    scene.notes.push_back(std::to_string(dropped) + " triangles have no area in single precision and are left out");
-  FlatBvh bvh = bvh_build(scene.triangles, scene.bvh_width, scene.bvh_rule);
-  scene.bvh_nodes = std::move(bvh.nodes);
-  scene.bvh_blocks = std::move(bvh.blocks);
 }
 
 }  // namespace brume

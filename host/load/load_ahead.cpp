@@ -19,6 +19,8 @@ std::vector<Load> loads_of(const SceneDesc& desc) {
   for (const DensityDesc& density : files.densities)
     loads.emplace_back([density](LoadedScene& loaded) { loaded.grid(density); });
   for (const auto& file : files.meshes) loads.emplace_back([file](LoadedScene& loaded) { loaded.mesh(file); });
+  for (const auto& file : files.placements)
+    loads.emplace_back([file](LoadedScene& loaded) { loaded.placements(file); });
   for (const auto& file : files.textures) loads.emplace_back([file](LoadedScene& loaded) { loaded.texture(file); });
   return loads;
 }

@@ -64,6 +64,14 @@ std::shared_ptr<const Mesh> LoadedScene::mesh(const std::filesystem::path& file)
   return once(meshes_, file_key(file), [&] { return mesh_read(file); });
 }
 
+void LoadedScene::keep(const std::filesystem::path& file, Mesh mesh) {
+  meshes_[file_key(file)] = std::make_shared<const Mesh>(std::move(mesh));
+}
+
+std::shared_ptr<const std::vector<MeshPlacement>> LoadedScene::placements(const std::filesystem::path& file) {
+  return once(placements_, file_key(file), [&] { return placements_read(file); });
+}
+
 std::shared_ptr<const Image> LoadedScene::texture(const std::filesystem::path& file) {
   return once(textures_, file_key(file), [&] { return image_read_texture(file); });
 }
@@ -73,6 +81,7 @@ LoadedScene LoadedScene::shared_with(const SceneDesc& desc) const {
   LoadedScene shared;
   for (const DensityDesc& density : files.densities) share(grids_, density_key(density_spec(density)), shared.grids_);
   for (const std::filesystem::path& file : files.meshes) share(meshes_, file_key(file), shared.meshes_);
+  for (const std::filesystem::path& file : files.placements) share(placements_, file_key(file), shared.placements_);
   for (const auto& [key, mesh] : shared.meshes_)  // which name textures, too
     for (const MeshMaterial& material : mesh->materials)
       for (const MeshTexture* texture : {&material.texture, &material.emission_texture})
@@ -87,6 +96,7 @@ std::vector<LoadedCost> LoadedScene::costs() const {
   for (const auto& [file, mesh] : meshes_)
     costs.push_back({file, array_bytes(mesh->positions) + array_bytes(mesh->normals) + array_bytes(mesh->uvs) +
                                array_bytes(mesh->triangles)});
+  for (const auto& [file, placements] : placements_) costs.push_back({file, array_bytes(*placements)});
   for (const auto& [file, image] : textures_) costs.push_back({file, array_bytes(image->values)});
   return costs;
 }

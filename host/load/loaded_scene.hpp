@@ -11,6 +11,7 @@
 
 #include "image/image.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/placements.hpp"
 #include "scene/scene_desc.hpp"
 #include "volume/grid.hpp"
 
@@ -27,10 +28,12 @@ class LoadedScene {
   // Each is loaded when it is first asked for. They throw what their readers throw: InputError.
   std::shared_ptr<Grid> grid(const DensityDesc& density);
   std::shared_ptr<const Mesh> mesh(const std::filesystem::path& file);
+  std::shared_ptr<const std::vector<MeshPlacement>> placements(const std::filesystem::path& file);
   std::shared_ptr<const Image> texture(const std::filesystem::path& file);
 
-  // A grid that was read already, as that density.
+  // A grid that was read already, as that density; a mesh, as that file.
   void keep(const DensityDesc& density, Grid grid);
+  void keep(const std::filesystem::path& file, Mesh mesh);
 
   // Of what was loaded, that which `desc` names too, for another frame of a sequence.
   LoadedScene shared_with(const SceneDesc& desc) const;
@@ -43,6 +46,7 @@ class LoadedScene {
  private:
   std::map<std::string, std::shared_ptr<Grid>> grids_;  // by density_key
   std::map<std::string, std::shared_ptr<const Mesh>> meshes_;
+  std::map<std::string, std::shared_ptr<const std::vector<MeshPlacement>>> placements_;
   std::map<std::string, std::shared_ptr<const Image>> textures_;
 };
 

@@ -17,8 +17,7 @@ std::vector<std::filesystem::path> SceneFiles::paths() const {
   std::vector<std::filesystem::path> all;
   for (const DensityDesc& density : densities)
     if (innermost(density).type == "file") all.push_back(innermost(density).file);
-  all.insert(all.end(), meshes.begin(), meshes.end());
-  all.insert(all.end(), textures.begin(), textures.end());
+  for (const auto* files : {&meshes, &placements, &textures}) all.insert(all.end(), files->begin(), files->end());
   return all;
 }
 
@@ -29,7 +28,10 @@ SceneFiles scene_files(const SceneDesc& desc) {
     if (medium.emission_density) list_density(*medium.emission_density, files);
   }
   for (const ShapeDesc& shape : desc.shapes) {
-    if (const MeshDesc* mesh = std::get_if<MeshDesc>(&shape.geometry)) files.meshes.push_back(mesh->file);
+    if (const MeshDesc* mesh = std::get_if<MeshDesc>(&shape.geometry)) {
+      files.meshes.push_back(mesh->file);
+      if (!mesh->instance_file.empty()) files.placements.push_back(mesh->instance_file);
+    }
     if (const IsosurfaceDesc* surface = std::get_if<IsosurfaceDesc>(&shape.geometry))
       list_density(*surface->density, files);
   }

@@ -10,7 +10,7 @@ namespace brume {
 
 struct SceneFiles {
   std::vector<DensityDesc> densities;  // but constants: most methods need no grid of those
-  std::vector<std::filesystem::path> meshes, textures;
+  std::vector<std::filesystem::path> meshes, placements, textures;
 
   std::vector<std::filesystem::path> paths() const;  // of all that are files, without those that these name
 };

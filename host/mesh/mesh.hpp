@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "base/memory_file.hpp"
+#include "mesh/placements.hpp"
 
 namespace brume {
 
@@ -41,10 +42,17 @@ struct MeshTriangle {
   int group = GROUP_ALL;                    // smoothing group; normals are joined within one only
 };
 
+// Triangles that stand in several places.
+struct MeshPart {
+  std::size_t first, count;  // of Mesh::triangles
+  std::vector<MeshPlacement> placements;
+};
+
 struct Mesh {
   std::vector<glm::dvec3> positions, normals;  // positions: those that triangles have; normals: unit, or 0 where unused
   std::vector<glm::dvec2> uvs;
   std::vector<MeshTriangle> triangles;
+  std::vector<MeshPart> parts;  // the last triangles, one part behind the other; those before stand where they are
   std::vector<MeshMaterial> materials;
   std::vector<std::shared_ptr<const MemoryFile>> images;  // that lie in the mesh's own file; textures name them
   std::vector<std::string>
@@ -55,8 +63,8 @@ struct Mesh {
 // of the MTL beyond float, or syntax at whose meaning one would only guess.
 Mesh mesh_read_obj(const std::filesystem::path& file);
 
-// The same of a PLY or glTF file, by brume-mesh. A mesh of glTF is there as often as its nodes have it, where they put
-// it. InputError also where a PLY ends before what its header promises, and where the file makes the reader crash.
+// The same of a PLY or glTF file, by brume-mesh. A mesh of glTF is where its node puts it; one that several nodes have is
+// a part. InputError also where a PLY ends before what its header promises, and where the file makes the reader crash.
 Mesh mesh_read_foreign(const std::filesystem::path& file);
 
 // By the ending, one of mesh_endings().

@@ -67,6 +67,10 @@ class MeshConvert {
     for (const glm::dvec2& uv : sent_.uvs)
       if (!(std::abs(uv.x) <= VERTEX_MAX && std::abs(uv.y) <= VERTEX_MAX))
         fail("a texture coordinate is no number up to 1e38");
+    for (const MeshPlacement& placement : sent_.placements)
+      for (int k = 0; k < 4; ++k)
+        for (int row = 0; row < 3; ++row)
+          if (!(std::abs(placement[k][row]) <= VERTEX_MAX)) fail("the transform of a node is no number up to 1e38");
     images();
     materials();
     while (text_ < sent_.texts.size()) mesh_.notes.push_back(file_.string() + ": " + text_take());
@@ -146,7 +150,9 @@ class MeshConvert {
     };
     std::size_t first = 0, dropped = 0;
     std::vector<std::array<int, 3>> corners;
-    for (const MeshFace& face : sent_.faces) {
+    for (std::size_t f = 0; f < sent_.faces.size(); ++f) {
+      const MeshFace& face = sent_.faces[f];
+      part_begin(f);
       if (face.corners < 3 || face.corners > sent_.corners.size() - first || face.group < GROUP_ALL ||
           !in(face.material, mesh_.materials.size(), -1))
         fail_sent();
@@ -163,12 +169,25 @@ class MeshConvert {
     }
     if (dropped > 0)
       mesh_.notes.push_back(file_.string() + ": " + std::to_string(dropped) + " triangles without area are left out");
+    if (!mesh_.parts.empty()) mesh_.parts.back().count = mesh_.triangles.size() - mesh_.parts.back().first;
+  }
+
+  // Where a part begins with face f, that before it ends.
+  void part_begin(std::size_t f) {
+    const std::size_t next = mesh_.parts.size();
+    if (next == sent_.parts.size() || sent_.parts[next].first_face > f) return;
+    const MeshSentPart& part = sent_.parts[next];
+    if (part.placements > sent_.placements.size() - placement_) fail_sent();
+    if (next > 0) mesh_.parts.back().count = mesh_.triangles.size() - mesh_.parts.back().first;
+    const auto begin = sent_.placements.begin() + static_cast<std::ptrdiff_t>(placement_);
+    placement_ += part.placements;
+    mesh_.parts.push_back({mesh_.triangles.size(), 0, {begin, begin + static_cast<std::ptrdiff_t>(part.placements)}});
   }
 
   static constexpr double COLOR_MAX = 1e6;
   const fs::path file_;
   SentMesh sent_;
-  std::size_t text_ = 0;  // of sent_.texts, the next
+  std::size_t text_ = 0, placement_ = 0;  // of sent_.texts and sent_.placements, the next
   FileFinder finder_;
   std::vector<MeshTexture> textures_;
   std::vector<std::string> surface_names_;

@@ -36,6 +36,8 @@ class MeshProgram {
     receive_all(sent.corners, a.corners);
     receive_all(sent.faces, a.faces);
     receive_all(sent.surfaces, a.surfaces);
+    receive_all(sent.parts, a.parts);
+    receive_all(sent.placements, a.placements);
     receive_all(sent.image_sizes, a.images);
     receive_all(sent.image_bytes, a.image_bytes);
     std::string text;
@@ -56,6 +58,7 @@ class MeshProgram {
         {a.positions, sizeof(glm::dvec3)}, {a.normals, sizeof(glm::dvec3)},
         {a.uvs, sizeof(glm::dvec2)},       {a.corners, sizeof(MeshCorner)},
         {a.faces, sizeof(MeshFace)},       {a.surfaces, sizeof(MeshSurface)},
+        {a.parts, sizeof(MeshSentPart)},   {a.placements, sizeof(MeshPlacement)},
         {a.images, sizeof(std::uint64_t)}, {a.image_bytes, 1}};
     for (const auto& [count, size] : parts) bytes += double(count) * double(size);
     std::error_code ignored;

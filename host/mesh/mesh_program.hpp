@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mesh/mesh_protocol.hpp"
+#include "mesh/placements.hpp"
 
 namespace brume {
 
@@ -16,6 +17,8 @@ struct SentMesh {
   std::vector<MeshCorner> corners;
   std::vector<MeshFace> faces;
   std::vector<MeshSurface> surfaces;
+  std::vector<MeshSentPart> parts;
+  std::vector<MeshPlacement> placements;
   std::vector<std::uint64_t> image_sizes;
   std::string image_bytes;
   std::vector<std::string> texts;

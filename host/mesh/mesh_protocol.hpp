@@ -6,7 +6,7 @@
 
 namespace brume {
 
-inline constexpr std::int32_t MESH_PROTOCOL = 1;  // a program left over from another version is told, not guessed at
+inline constexpr std::int32_t MESH_PROTOCOL = 2;  // a program left over from another version is told, not guessed at
 inline constexpr std::uint64_t MESH_TEXT_MAX = 1 << 20;
 
 struct MeshRequest {
@@ -30,6 +30,11 @@ struct MeshSurface {
   std::int32_t texture_wrap, emission_texture_wrap;  // as MeshWrap
 };
 
+// Faces of a mesh that several nodes have, each there by one of the next placements.
+struct MeshSentPart {
+  std::uint64_t first_face, placements;  // up to the next part, or the end
+};
+
 // Number of each; then all of the first, all of the second, and so on.
 struct MeshAnswer {
   std::int32_t protocol;
@@ -37,9 +42,10 @@ struct MeshAnswer {
   std::uint64_t positions, normals;  // 3 doubles
   std::uint64_t uvs;                 // 2 doubles
   std::uint64_t corners, faces, surfaces;
-  std::uint64_t images;       // the bytes of each, 0 where it is another file, as 8-byte numbers
-  std::uint64_t image_bytes;  // of all images
-  std::uint64_t text_bytes;   // texts, each ended by a NUL: a name for each surface, one for each image, then notes
+  std::uint64_t parts, placements;  // MeshPlacement; parts in the order of their faces
+  std::uint64_t images;             // the bytes of each, 0 where it is another file, as 8-byte numbers
+  std::uint64_t image_bytes;        // of all images
+  std::uint64_t text_bytes;  // texts, each ended by a NUL: a name for each surface, one for each image, then notes
 };
 
 // How much memory a mesh may take beyond what the program itself takes: a vertex has no fewer than a few bytes in a

@@ -92,7 +92,8 @@ RenderPlan plan_render(const SceneDesc& desc, const FlatScene& flat, const PlanO
   plan.frame.in_scattering = in_scattering_resolve(desc);
   plan_lights(desc, flat, plan);
   plan.frame.shape_count = static_cast<int>(flat.shapes.size());
-  plan.frame.triangle_count = static_cast<int>(flat.triangles.size());
+  plan.frame.triangle_count = static_cast<int>(flat.world_triangles());
+  plan.frame.instance_root = flat.instance_root;
   plan.frame.medium_count = static_cast<int>(flat.media.size());
   plan.frame.hides_background = options.hide_background;
   plan.storage = desc.render.storage;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "reference/instances.hpp"
 #include "reference/sampling.hpp"
 #include "reference/surface.hpp"
 
@@ -119,7 +120,7 @@ dvec2 choice_of(const Light& light, const RandomStream& random, const dvec2& mid
   if (light.points == 0) return middle;
   const RandomStream own = random.child(STREAM_LIGHT_PLACE);
   const uint index = own.sample * static_cast<uint>(light.points) + static_cast<uint>(light.point);
-  return sobol_scrambled(index, own.pixel, static_cast<uint>(light.primitive), own.seed);
+  return sobol_scrambled(index, own.pixel, primitive_name(light.primitive, light.instance), own.seed);
 }
 
 }  // namespace
@@ -128,9 +129,9 @@ LightSample emitter_at(const PlannedScene& scene, const Light& light, const dvec
   dvec3 radiance = vec_promote(light.intensity);
   Seen seen;
   if (light.primitive >= FIRST_TRIANGLE) {
-    const Triangle& t = scene.triangles[static_cast<std::size_t>(light.primitive - FIRST_TRIANGLE)];
+    const TriangleD t = triangle_in_world(scene, light.primitive, light.instance);
     const dvec2 xi = choice_of(light, random, {4.0 / 9, 0.5});
-    const std::array<dvec3, 3> p{vec_promote(t.p[0]), vec_promote(t.p[1]), vec_promote(t.p[2])};
+    const std::array<dvec3, 3>& p = t.p;
     const std::array<double, 3> share{1 - std::sqrt(xi.x), std::sqrt(xi.x) * (1 - xi.y), std::sqrt(xi.x) * xi.y};
     const dvec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
     const Place place{share[0] * p[0] + share[1] * p[1] + share[2] * p[2], normal, glm::length(normal) / 2};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "reference/instances.hpp"
 #include "reference/isosurface.hpp"
 
 namespace brume::reference {
@@ -105,9 +106,8 @@ static_assert(std::size(SHAPE_HITS) == SHAPE_ISOSURFACE && SHAPE_ISOSURFACE + 1 
               "one row per closed form, in the order of ShapeType");
 
 // [MoellerTrumbore97]; edges belong to both neighbours.
-HitD triangle_hit(const Triangle& triangle, const RayD& ray) {
-  const dvec3 p0 = vec_promote(triangle.p[0]);
-  const dvec3 e1 = vec_promote(triangle.p[1]) - p0, e2 = vec_promote(triangle.p[2]) - p0;
+HitD triangle_hit(const std::array<dvec3, 3>& corners, const RayD& ray) {
+  const dvec3 p0 = corners[0], e1 = corners[1] - p0, e2 = corners[2] - p0;
   const dvec3 across = glm::cross(ray.dir, e2);
   const double determinant = glm::dot(e1, across);
   if (determinant == 0) return {};
@@ -121,13 +121,29 @@ HitD triangle_hit(const Triangle& triangle, const RayD& ray) {
   return t > 0 ? HitD{t, PRIMITIVE_NONE, u, v} : HitD{};
 }
 
-void triangles_hit(const PlannedScene& scene, std::size_t begin, std::size_t end, const RayD& ray, HitD& nearest) {
+void triangles_hit(const PlannedScene& scene, std::size_t begin, std::size_t end, int instance, const RayD& ray,
+                   HitD& nearest) {
   for (std::size_t i = begin; i < end; ++i) {
-    HitD hit = triangle_hit(scene.triangles[i], ray);
+    const int primitive = FIRST_TRIANGLE + static_cast<int>(i);
+    HitD hit = triangle_hit(corners_in_world(scene, primitive, instance), ray);
     if (!(hit.t < nearest.t)) continue;
-    hit.primitive = FIRST_TRIANGLE + static_cast<int>(i);
+    hit.primitive = primitive;
+    hit.instance = instance;
     nearest = hit;
   }
+}
+
+bool may_meet(const TriangleBounds::Run& run, const RayD& ray, double t_max) {
+  const Span span = box_span(run.lo, run.hi, ray.origin, ray.dir);
+  return span.t0 <= span.t1 && span.t1 > 0 && span.t0 <= t_max;
+}
+
+void instance_hit(const PlannedScene& scene, const TriangleBounds& bounds, int instance, const RayD& ray,
+                  HitD& nearest) {
+  const Instance& where = scene.instances[static_cast<std::size_t>(instance)];
+  const RayD in_mesh = ray_in_mesh(where, ray);
+  for (const TriangleBounds::Run& run : bounds.meshes[static_cast<std::size_t>(where.mesh)])
+    if (may_meet(run, in_mesh, nearest.t)) triangles_hit(scene, run.begin, run.end, instance, ray, nearest);
 }
 
 HitD shapes_hit(const PlannedScene& scene, const RayD& ray, double t_max) {
@@ -145,40 +161,67 @@ HitD shapes_hit(const PlannedScene& scene, const RayD& ray, double t_max) {
   return nearest;
 }
 
+void run_add(TriangleBounds::Run& run, const dvec3& p) {
+  run.lo = glm::min(run.lo, p);
+  run.hi = glm::max(run.hi, p);
+}
+
+// By a hair more than any rounding of the tests.
+void run_widen(TriangleBounds::Run& run) {
+  const dvec3 margin = 1e-9 * glm::max(glm::abs(run.lo), glm::abs(run.hi)) + 1e-9 * (run.hi - run.lo);
+  run.lo -= margin;
+  run.hi += margin;
+}
+
+std::vector<TriangleBounds::Run> runs_of(const PlannedScene& scene, std::size_t first, std::size_t count) {
+  constexpr std::size_t run_length = 32;
+  std::vector<TriangleBounds::Run> runs;
+  for (std::size_t begin = first; begin < first + count; begin += run_length) {
+    TriangleBounds::Run run{dvec3(INFINITE), dvec3(-INFINITE), begin, std::min(begin + run_length, first + count)};
+    for (std::size_t i = run.begin; i < run.end; ++i)
+      for (const Packed3& p : scene.triangles[i].p) run_add(run, vec_promote(p));
+    run_widen(run);
+    runs.push_back(run);
+  }
+  return runs;
+}
+
 HitD hit_or_miss(const HitD& nearest) { return nearest.primitive == PRIMITIVE_NONE ? HitD{} : nearest; }
 
 }  // namespace
 
-TriangleBounds::TriangleBounds(const PlannedScene& scene) {
-  constexpr std::size_t run_length = 32;
-  for (std::size_t begin = 0; begin < scene.triangles.size(); begin += run_length) {
-    Run run{dvec3(INFINITE), dvec3(-INFINITE), begin, std::min(begin + run_length, scene.triangles.size())};
-    for (std::size_t i = run.begin; i < run.end; ++i)
-      for (const Packed3& p : scene.triangles[i].p) {
-        run.lo = glm::min(run.lo, vec_promote(p));
-        run.hi = glm::max(run.hi, vec_promote(p));
-      }
-    // a hair wider than any rounding of the tests
-    const dvec3 margin = 1e-9 * glm::max(glm::abs(run.lo), glm::abs(run.hi)) + 1e-9 * (run.hi - run.lo);
-    run.lo -= margin;
-    run.hi += margin;
-    runs.push_back(run);
+TriangleBounds::TriangleBounds(const PlannedScene& scene) : world(runs_of(scene, 0, scene.world_triangles())) {
+  for (const FlatMesh& mesh : scene.meshes)
+    meshes.push_back(runs_of(scene, static_cast<std::size_t>(mesh.first), static_cast<std::size_t>(mesh.count)));
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    Run all{dvec3(INFINITE), dvec3(-INFINITE), i, i + 1};
+    for (const Run& run : meshes[static_cast<std::size_t>(scene.instances[i].mesh)])
+      for (int c = 0; c < 8; ++c)
+        run_add(all,
+                affine_point(scene.instances[i].world_from_mesh,
+                             {(c & 1 ? run.hi : run.lo).x, (c & 2 ? run.hi : run.lo).y, (c & 4 ? run.hi : run.lo).z}));
+    run_widen(all);
+    instances.push_back(all);
   }
 }
 
 HitD nearest_hit(const PlannedScene& scene, const TriangleBounds& bounds, const RayD& ray, double t_max) {
   HitD nearest = shapes_hit(scene, ray, t_max);
-  for (const TriangleBounds::Run& run : bounds.runs) {
-    const Span span = box_span(run.lo, run.hi, ray.origin, ray.dir);
-    if (span.t0 <= span.t1 && span.t1 > 0 && span.t0 <= nearest.t)
-      triangles_hit(scene, run.begin, run.end, ray, nearest);
-  }
+  for (const TriangleBounds::Run& run : bounds.world)
+    if (may_meet(run, ray, nearest.t)) triangles_hit(scene, run.begin, run.end, INSTANCE_NONE, ray, nearest);
+  for (const TriangleBounds::Run& run : bounds.instances)
+    if (may_meet(run, ray, nearest.t)) instance_hit(scene, bounds, static_cast<int>(run.begin), ray, nearest);
   return hit_or_miss(nearest);
 }
 
 HitD nearest_hit(const PlannedScene& scene, const RayD& ray, double t_max) {
   HitD nearest = shapes_hit(scene, ray, t_max);
-  triangles_hit(scene, 0, scene.triangles.size(), ray, nearest);
+  triangles_hit(scene, 0, scene.world_triangles(), INSTANCE_NONE, ray, nearest);
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const FlatMesh& mesh = scene.meshes[static_cast<std::size_t>(scene.instances[i].mesh)];
+    const auto begin = static_cast<std::size_t>(mesh.first), end = begin + static_cast<std::size_t>(mesh.count);
+    triangles_hit(scene, begin, end, static_cast<int>(i), ray, nearest);
+  }
   return hit_or_miss(nearest);
 }
 

@@ -12,16 +12,20 @@ struct HitD {
   double t = INFINITE;
   int primitive = PRIMITIVE_NONE;  // as in shared/ray.h
   double u = 0, v = 0;             // as in shared/ray.h
+  int instance = INSTANCE_NONE;    // as in shared/ray.h
 };
 
-// Boxes around runs of consecutive triangles, so that most of a mesh is skipped; they never change a result.
+// Boxes around runs of consecutive triangles and around instances, so that most of a mesh is skipped; they never change
+// a result.
 struct TriangleBounds {
   struct Run {
     dvec3 lo, hi;
     std::size_t begin, end;
   };
   explicit TriangleBounds(const PlannedScene& scene);
-  std::vector<Run> runs;
+  std::vector<Run> world;
+  std::vector<std::vector<Run>> meshes;  // in the space of each
+  std::vector<Run> instances;            // begin: the number of the instance
 };
 
 // The nearest surface with 0 < t < t_max; of equals the first in the scene.

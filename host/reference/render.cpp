@@ -62,8 +62,8 @@ Lit lit_by_sky(const Context& context, const SurfaceD& surface, const RandomStre
   return {dvec3(sky.open), sky.seen};
 }
 
-uint sample_key(int primitive, uint lit, uint shadow_key, int second) {
-  return static_cast<uint>(primitive) * 0x9E3779B1u + lit * 0x85EBCA6Bu + shadow_key * 0xC2B2AE35u +
+uint sample_key(const HitD& hit, uint lit, uint shadow_key, int second) {
+  return primitive_name(hit.primitive, hit.instance) * 0x9E3779B1u + lit * 0x85EBCA6Bu + shadow_key * 0xC2B2AE35u +
          static_cast<uint>(second) * 0x27D4EB2Fu;
 }
 
@@ -203,7 +203,7 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
     const dvec3 seen = hidden ? dvec3(0) : sample.transmittance * vec_promote(scene.frame.background);
     sample.radiance = media.radiance + seen;
     sample.error = error_of(media, seen, path.weight);
-    sample.key = sample_key(hit.primitive, 0, walked(context, media.shadow_key, sample.lookups), 0) *
+    sample.key = sample_key(hit, 0, walked(context, media.shadow_key, sample.lookups), 0) *
                  static_cast<uint>(2 * path.depth + 1);
     return sample;
   }
@@ -217,7 +217,7 @@ PixelD path_render(const Context& context, const RayD& ray, const PathState& pat
   sample.hits = 1;
   sample.radiance = media.radiance + sample.transmittance * lit.radiance;
   sample.error = error_of(media, sample.transmittance * lit.radiance, path.weight);
-  sample.key = sample_key(hit.primitive, lit.lights, walked(context, media.shadow_key, sample.lookups),
+  sample.key = sample_key(hit, lit.lights, walked(context, media.shadow_key, sample.lookups),
                           scene.frame.directions > 0 ? 0 : surface.second) *
                static_cast<uint>(2 * path.depth + 1);
   specular_add(context, surface, ray, path, sample);

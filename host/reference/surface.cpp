@@ -6,6 +6,7 @@
 #include <glm/common.hpp>
 #include <optional>
 
+#include "reference/instances.hpp"
 #include "reference/isosurface.hpp"
 
 namespace brume::reference {
@@ -72,11 +73,10 @@ constexpr ShapeGeometry SHAPE_GEOMETRIES[] = {sphere_geometry, cylinder_geometry
 static_assert(std::size(SHAPE_GEOMETRIES) == SHAPE_ISOSURFACE && SHAPE_ISOSURFACE + 1 == SHAPE_COUNT,
               "one row per closed form, in the order of ShapeType");
 
-Geometry triangle_geometry(const Triangle& triangle, double u, double v) {
+Geometry triangle_geometry(const TriangleD& triangle, double u, double v) {
   const double w = 1 - u - v;
-  const dvec3 p0 = vec_promote(triangle.p[0]);
-  const dvec3 geometric = vec_unit(glm::cross(vec_promote(triangle.p[1]) - p0, vec_promote(triangle.p[2]) - p0));
-  const dvec3 smooth = w * vec_promote(triangle.n[0]) + u * vec_promote(triangle.n[1]) + v * vec_promote(triangle.n[2]);
+  const dvec3 geometric = triangle.geometric_normal;
+  const dvec3 smooth = w * triangle.n[0] + u * triangle.n[1] + v * triangle.n[2];
   const float* uv = triangle.uv;
   return {geometric, triangle.shading == TRIANGLE_FLAT ? geometric : vec_unit(smooth),
           w * dvec2(uv[0], uv[1]) + u * dvec2(uv[2], uv[3]) + v * dvec2(uv[4], uv[5])};
@@ -126,10 +126,12 @@ double lobe_base(int model, const dvec3& normal, const dvec3& to_light, const dv
   return length > 0 ? std::max(0.0, glm::dot(normal, half) / length) : 0;
 }
 
-// Of rays that leave a point where one of length t ends.
-double epsilon_of(const dvec3& point, double t) {
+// Of rays that leave a point where one with that hit ends.
+double epsilon_of(const PlannedScene& scene, const dvec3& point, const HitD& hit) {
   const dvec3 size = glm::abs(point);
-  return 0x1p-17 * std::max({size.x, size.y, size.z, t});
+  const double reach =
+      hit.instance == INSTANCE_NONE ? 0.0 : scene.instances[static_cast<std::size_t>(hit.instance)].reach;
+  return 0x1p-17 * std::max({size.x, size.y, size.z, hit.t, reach});
 }
 
 }  // namespace
@@ -140,7 +142,7 @@ SurfaceD surface_at(const PlannedScene& scene, const RayD& ray, const HitD& hit)
   Geometry geometry;
   std::optional<bool> leaves;  // where the hit itself says so
   if (hit.primitive >= FIRST_TRIANGLE) {
-    const Triangle& triangle = scene.triangles[static_cast<std::size_t>(hit.primitive - FIRST_TRIANGLE)];
+    const TriangleD triangle = triangle_in_world(scene, hit.primitive, hit.instance);
     geometry = triangle_geometry(triangle, hit.u, hit.v);
     surface.material = triangle.material;
   } else {
@@ -172,22 +174,22 @@ SurfaceD surface_at(const PlannedScene& scene, const RayD& ray, const HitD& hit)
     surface.emission *= texture_lookup(scene, material.emission_texture, surface.uv);
     surface.second |= texture_second(scene.textures[static_cast<std::size_t>(material.emission_texture)], surface.uv);
   }
-  surface.ray_epsilon = epsilon_of(surface.point, hit.t);
+  surface.ray_epsilon = epsilon_of(scene, surface.point, hit);
   return surface;
 }
 
 std::vector<CornerD> surface_corners(const PlannedScene& scene, const SurfaceD& surface, const HitD& hit) {
   if (hit.primitive < FIRST_TRIANGLE) return {{surface, 1}};
-  const Triangle& triangle = scene.triangles[static_cast<std::size_t>(hit.primitive - FIRST_TRIANGLE)];
+  const TriangleD triangle = triangle_in_world(scene, hit.primitive, hit.instance);
   if (triangle.shading != TRIANGLE_GOURAUD) return {{surface, 1}};
   const double shares[3] = {1 - hit.u - hit.v, hit.u, hit.v};
   std::vector<CornerD> corners;
   for (int k = 0; k < 3; ++k) {
     corners.push_back({surface, shares[k]});
     SurfaceD& corner = corners.back().surface;
-    corner.point = vec_promote(triangle.p[k]);
-    corner.normal = (surface.leaving ? -1.0 : 1.0) * vec_promote(triangle.n[k]);
-    corner.ray_epsilon = epsilon_of(corner.point, hit.t);
+    corner.point = triangle.p[k];
+    corner.normal = (surface.leaving ? -1.0 : 1.0) * triangle.n[k];
+    corner.ray_epsilon = epsilon_of(scene, corner.point, hit);
   }
   return corners;
 }

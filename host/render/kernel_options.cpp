@@ -53,6 +53,7 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
       {"PHASES_USED", phases, all_bits(PHASE_COUNT), "phase functions"},
       {"SHAPES_USED", shapes, all_bits(SHAPE_COUNT), "shapes"},
       {"TRIANGLES", !s.triangles.empty(), 1, "triangles"},
+      {"INSTANCES", !s.instances.empty(), 1, "instances"},
       {"GOURAUD", scene_blends_light(s), 1, "light of corners"},
       {"TEXTURED", !s.textures.empty(), 1, "textures"},
       {"SPECULAR", scene_is_specular(s), 1, "mirrors and glass"},

@@ -44,9 +44,6 @@ constexpr PassRow PASSES[] = {{"presence_gradients", true, has_liquids},
 // Rays that a wave has room for, at least: what one sample may send on.
 constexpr std::size_t WAVE_LEAST = 2 * SECONDARY_RAYS_MAX;
 
-// Private arrays of all items of a group lie on the worker's stack in PoCL: few items on a CPU.
-constexpr std::size_t GROUP_CPU = 16, GROUP_GPU = 64;
-
 constexpr std::size_t PIECE_FIRST = 512;  // of a light grid
 
 double event_seconds(const cl::Event& event) {
@@ -72,7 +69,7 @@ Passes::Passes(Context& context, std::shared_ptr<DeviceScene> device_scene, cons
       has_surfaces_(has_surfaces(device_scene_->flat(), plan)),
       has_specular_(has_specular(device_scene_->flat(), plan)),
       unit_(static_cast<cl_float>(device_scene_->flat().unit)),
-      group_(std::min(context.device().cpu ? GROUP_CPU : GROUP_GPU, context.device().max_group)) {
+      group_(context.device().group) {
   static_assert(std::size(PASSES) == PASS_COUNT, "one row per pass");
   for (const PassRow& pass : PASSES) stats_.push_back({pass.name, 0, 0});
   create_buffers(batch_rays);
@@ -229,18 +226,24 @@ bool Passes::enqueue_waves(cl_uint entries, cl_uint samples) {
   return true;
 }
 
-bool Passes::run(const std::vector<Work>& batch, std::vector<FilmPixel>& pixels) {
+// A map that fails throws before `use` is called; one that `use` leaves by an exception dies with the queue.
+template <class Use>
+void Passes::with_pixels(std::size_t count, cl_map_flags flags, const Use& use) {
+  void* mapped = context_.queue().enqueueMapBuffer(pixels_, CL_TRUE, flags, 0, count * sizeof(FilmPixel));
+  use(static_cast<FilmPixel*>(mapped));
+  context_.queue().enqueueUnmapMemObject(pixels_, mapped);
+}
+
+bool Passes::run(const std::vector<Work>& batch, const Fill& fill, const Take& take) {
   const DriverGuard guard;
   const auto entries = static_cast<cl_uint>(batch.size());
-  const std::size_t bytes = batch.size() * sizeof(FilmPixel);
   try {
-    const cl::CommandQueue& queue = context_.queue();
-    queue.enqueueWriteBuffer(work_, CL_FALSE, 0, batch.size() * sizeof(Work), batch.data());
-    queue.enqueueWriteBuffer(pixels_, CL_FALSE, 0, bytes, pixels.data());
+    context_.queue().enqueueWriteBuffer(work_, CL_FALSE, 0, batch.size() * sizeof(Work), batch.data());
+    with_pixels(entries, CL_MAP_WRITE_INVALIDATE_REGION, fill);
     const bool fits = enqueue_waves(entries, batch_rays(batch));
     if (fits) enqueue(ACCUMULATE, entries, work_, entries, unit_, samples_, pixels_);
     finish();
-    if (fits) queue.enqueueReadBuffer(pixels_, CL_TRUE, 0, bytes, pixels.data());
+    if (fits) with_pixels(entries, CL_MAP_READ, take);
     return fits;
   } catch (const cl::Error& error) {
     failed(error);

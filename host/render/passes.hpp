@@ -33,9 +33,12 @@ class Passes {
   void fill_light_grids(const std::function<bool(double)>& go_on);
   double light_grid_items() const;  // that are left
   // All passes over one batch: a wave of camera rays, then one of the rays that they send on, until none is left.
-  // `pixels`: what the pixel of each entry holds, to which its samples are added. False where a wave would hold more
-  // rays than there is room for; the pixels are as before then. A batch of one sample always fits.
-  bool run(const std::vector<Work>& batch, std::vector<FilmPixel>& pixels);
+  // `fill` writes what the pixel of each entry holds, `take` reads what it holds with its samples added; both in the
+  // device's own memory where that is the host's. False where a wave would hold more rays than there is room for;
+  // nothing is taken then. A batch of one sample always fits.
+  using Fill = std::function<void(FilmPixel* pixels)>;
+  using Take = std::function<void(const FilmPixel* pixels)>;
+  bool run(const std::vector<Work>& batch, const Fill& fill, const Take& take);
 
   const std::vector<PassStats>& stats() const { return stats_; }  // of all that was run, in the order of the passes
 
@@ -67,6 +70,8 @@ class Passes {
   void finish();                       // waits for what is enqueued and adds its times to the statistics
   void fill_gradients();
   void fill_light_grid(LightGridWork& grid, double& done, bool& stopped, const std::function<bool(double)>& go_on);
+  template <class Use>
+  void with_pixels(std::size_t count, cl_map_flags flags, const Use& use);
   [[noreturn]] void failed(const cl::Error& error) const;
 
   struct Enqueued {

@@ -47,22 +47,25 @@ struct Renderer::State {
   std::size_t batch_rays, first_rays;
   std::unique_ptr<Passes> passes;
   RenderStats stats;
-  std::vector<FilmPixel> pixels;  // of the batch at work
 
   // False where the batch has to be smaller; the film is as before then.
   bool run(const std::vector<Work>& batch, Film& film) {
-    pixels.clear();
-    for (const Work& work : batch) pixels.push_back(film.pixels()[work.pixel]);
-    if (!passes->run(batch, pixels)) return false;
-    for (std::size_t i = 0; i < batch.size(); ++i) {
-      FilmPixel& pixel = film.pixels()[batch[i].pixel];
-      if (pixels[i].invalid > pixel.invalid && stats.invalid_samples == 0)
-        stats.first_invalid = glm::ivec2(batch[i].pixel % static_cast<uint>(film.size().x),
-                                         batch[i].pixel / static_cast<uint>(film.size().x));
-      counts_add(stats, pixel, pixels[i]);
-      pixel = pixels[i];
-    }
-    return true;
+    const auto fill = [&](FilmPixel* pixels) {
+      for (const Work& work : batch) *pixels++ = film.pixels()[work.pixel];
+    };
+    const auto take = [&](const FilmPixel* pixels) {
+      for (const Work& work : batch) pixel_take(film, work.pixel, *pixels++);
+    };
+    return passes->run(batch, fill, take);
+  }
+
+  void pixel_take(Film& film, std::uint32_t place, const FilmPixel& after) {
+    FilmPixel& pixel = film.pixels()[place];
+    const auto width = static_cast<std::uint32_t>(film.size().x);
+    if (after.invalid > pixel.invalid && stats.invalid_samples == 0)
+      stats.first_invalid = glm::ivec2(place % width, place / width);
+    counts_add(stats, pixel, after);
+    pixel = after;
   }
 };
 

@@ -13,6 +13,39 @@ namespace {
 using Geometry = decltype(ShapeDesc::geometry);
 using Folder = std::filesystem::path;
 
+Scale read_scale(const JsonValue& value) {
+  const Scale s{value.as_color(Range::any())};
+  for (int i = 0; i < 3; ++i)
+    if (static_cast<float>(s.factor[i]) == 0) value.fail("a scale of 0 leaves nothing; it must not be 0");
+  return s;
+}
+
+Rotate read_rotate(const JsonValue& value) {
+  const std::vector<JsonValue> v = value.as_list();
+  if (v.size() != 4) value.fail("expected [x, y, z, degrees]" + value.got());
+  Rotate r;
+  for (int i = 0; i < 3; ++i) r.axis[i] = v[i].as_number(Range::any());
+  r.degrees = v[3].as_number(Range::any());
+  if (is_zero(r.axis)) value.fail("the axis must not be zero");
+  return r;
+}
+
+std::variant<Scale, Rotate, Translate> read_step(const JsonValue& step) {
+  step.expect_object();
+  if (step.json().size() != 1)
+    step.fail("expected one of {\"scale\": ...}, {\"rotate\": ...} and {\"translate\": ...}" + step.got());
+  if (step.has("scale")) return read_scale(step.get("scale"));
+  if (step.has("rotate")) return read_rotate(step.get("rotate"));
+  if (!step.has("translate")) step.refuse_unread();
+  return Translate{step.get("translate").as_vec3(Range::any())};
+}
+
+TransformDesc read_steps(const JsonValue& list) {
+  TransformDesc steps;
+  for (const JsonValue& step : list.as_list()) steps.push_back(read_step(step));
+  return steps;
+}
+
 Geometry read_sphere(const JsonValue& s, const Folder&) {
   SphereDesc out;
   out.center = s.vec3("center", out.center);
@@ -75,6 +108,15 @@ Geometry read_triangle(const JsonValue& s, const Folder&) {
   return out;
 }
 
+void read_instances(const JsonValue& value, const Folder& folder, MeshDesc& mesh) {
+  if (value.is_string()) {
+    mesh.instance_file = read_path(value, folder);
+    return;
+  }
+  for (const JsonValue& instance : value.as_list()) mesh.instances.push_back(read_steps(instance));
+  if (mesh.instances.empty()) value.fail("expected a transform or more, or the path of a file with 12 numbers a line");
+}
+
 Geometry read_mesh(const JsonValue& s, const Folder& folder) {
   MeshDesc out;
   out.file = read_path(s.get("file"), folder);
@@ -82,6 +124,7 @@ Geometry read_mesh(const JsonValue& s, const Folder& folder) {
       static_cast<MeshShading>(s.member("shading", static_cast<int>(out.shading), mesh_shading_family(), "shading"));
   if (s.has("crease")) out.crease = s.get("crease").as_number(Range::closed(0, 180));
   out.transform = read_transform(s);
+  if (s.has("instances")) read_instances(s.get("instances"), folder, out);
   return out;
 }
 
@@ -90,33 +133,6 @@ constexpr Geometry (*READERS[])(const JsonValue&, const Folder&) = {
     read_sphere, read_cylinder, read_plane, read_quad, read_box, read_isosurface, read_triangle, read_mesh};
 static_assert(std::size(READERS) == SHAPE_COUNT + 2 && std::variant_size_v<Geometry> == std::size(READERS),
               "one reader and one struct per row of BRUME_SHAPES, then triangle and mesh");
-
-Scale read_scale(const JsonValue& value) {
-  const Scale s{value.as_color(Range::any())};
-  for (int i = 0; i < 3; ++i)
-    if (static_cast<float>(s.factor[i]) == 0) value.fail("a scale of 0 leaves nothing; it must not be 0");
-  return s;
-}
-
-Rotate read_rotate(const JsonValue& value) {
-  const std::vector<JsonValue> v = value.as_list();
-  if (v.size() != 4) value.fail("expected [x, y, z, degrees]" + value.got());
-  Rotate r;
-  for (int i = 0; i < 3; ++i) r.axis[i] = v[i].as_number(Range::any());
-  r.degrees = v[3].as_number(Range::any());
-  if (is_zero(r.axis)) value.fail("the axis must not be zero");
-  return r;
-}
-
-std::variant<Scale, Rotate, Translate> read_step(const JsonValue& step) {
-  step.expect_object();
-  if (step.json().size() != 1)
-    step.fail("expected one of {\"scale\": ...}, {\"rotate\": ...} and {\"translate\": ...}" + step.got());
-  if (step.has("scale")) return read_scale(step.get("scale"));
-  if (step.has("rotate")) return read_rotate(step.get("rotate"));
-  if (!step.has("translate")) step.refuse_unread();
-  return Translate{step.get("translate").as_vec3(Range::any())};
-}
 
 }  // namespace
 
@@ -132,9 +148,7 @@ int read_material_name(const JsonValue& owner, const std::vector<MaterialDesc>& 
 }
 
 TransformDesc read_transform(const JsonValue& owner) {
-  TransformDesc steps;
-  for (const JsonValue& step : owner.list("transform")) steps.push_back(read_step(step));
-  return steps;
+  return owner.has("transform") ? read_steps(owner.get("transform")) : TransformDesc{};
 }
 
 std::vector<ShapeDesc> read_shapes(const JsonValue& scene, const std::vector<MaterialDesc>& materials,

@@ -132,6 +132,8 @@ struct GeometryJson {
               {"shading", family_name(mesh_shading_family(), static_cast<int>(m.shading))},
               {"transform", transform_json(m.transform)}};
     if (m.crease) json["crease"] = number(*m.crease);
+    if (!m.instance_file.empty()) json["instances"] = path_text(m.instance_file, folder);
+    for (const TransformDesc& instance : m.instances) json["instances"].push_back(transform_json(instance));
     return json;
   }
 };

@@ -69,6 +69,9 @@
 #ifndef BRUME_TRIANGLES  // the scene has triangles
 #define BRUME_TRIANGLES 1
 #endif
+#ifndef BRUME_INSTANCES  // some meshes are held once and stand in several places
+#define BRUME_INSTANCES 1
+#endif
 #ifndef BRUME_GOURAUD  // some triangles blend the light of their corners
 #define BRUME_GOURAUD 1
 #endif

@@ -12,10 +12,8 @@ typedef struct {
   uint asked, blocked;  // bit n: it is known of the light of shadow ray n whether surfaces block it; they do
 } Surface;
 
-static inline float3 triangle_normals(const Triangle* t, const Hit* hit, float3* geometric) {
-  const float3 p0 = vec_unpack(t->p[0]);
-  *geometric = vec_unit(cross(vec_scaled(vec_unpack(t->p[1]) - p0), vec_scaled(vec_unpack(t->p[2]) - p0)));
-  if (t->shading == TRIANGLE_FLAT) return *geometric;
+static inline float3 triangle_normal(const Triangle* t, const Hit* hit, float3 geometric) {
+  if (t->shading == TRIANGLE_FLAT) return geometric;
   return normalize((1.0f - hit->u - hit->v) * vec_unpack(t->n[0]) + hit->u * vec_unpack(t->n[1]) +
                    hit->v * vec_unpack(t->n[2]));
 }
@@ -24,8 +22,14 @@ static inline float2 triangle_uv(const Triangle* t, float w, float u, float v) {
   return (float2)(w * t->uv[0] + u * t->uv[2] + v * t->uv[4], w * t->uv[1] + u * t->uv[3] + v * t->uv[5]);
 }
 
-// Of a point where a ray of length t ends.
-static inline float surface_epsilon(float3 point, float t) { return 0x1p-17f * fmax(vec_max_abs(point), t); }
+// Of a point where a ray ends with that hit.
+static inline float surface_epsilon(const Scene* scene, float3 point, const Hit* hit) {
+  const float size = fmax(vec_max_abs(point), hit->t);
+#if BRUME_INSTANCES
+  if (hit->instance != INSTANCE_NONE) return 0x1p-17f * fmax(size, scene->instances[hit->instance].reach);
+#endif
+  return 0x1p-17f * size;
+}
 
 static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* hit) {
   Surface s;
@@ -34,8 +38,8 @@ static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* 
   int known = -1;  // whether the ray comes from inside, where the hit says so
 #if BRUME_TRIANGLES
   if (hit->primitive >= FIRST_TRIANGLE) {
-    const Triangle t = scene->triangles[hit->primitive - FIRST_TRIANGLE];
-    s.normal = triangle_normals(&t, hit, &s.geometric_normal);
+    const Triangle t = triangle_of(scene, hit->primitive, hit->instance, &s.geometric_normal);
+    s.normal = triangle_normal(&t, hit, s.geometric_normal);
     s.uv = triangle_uv(&t, 1.0f - hit->u - hit->v, hit->u, hit->v);
     s.material = t.material;
   } else
@@ -56,18 +60,19 @@ static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* 
     s.geometric_normal = -s.geometric_normal;
     s.normal = -s.normal;
   }
-  s.epsilon = surface_epsilon(s.point, hit->t);
+  s.epsilon = surface_epsilon(scene, s.point, hit);
   s.asked = s.blocked = 0;
   return s;
 }
 
 #if BRUME_GOURAUD && BRUME_TRIANGLES
 // Corner k of the triangle that was hit, as a surface of its own with the texture of the hit; *share: what it counts.
-static inline Surface surface_corner(const Triangle* t, const Hit* hit, const Surface* surface, int k, float* share) {
+static inline Surface surface_corner(const Scene* scene, const Triangle* t, const Hit* hit, const Surface* surface,
+                                     int k, float* share) {
   Surface s = *surface;
   s.point = vec_unpack(t->p[k]);
   s.normal = vec_unpack(t->n[k]) * (s.leaving ? -1.0f : 1.0f);
-  s.epsilon = surface_epsilon(s.point, hit->t);
+  s.epsilon = surface_epsilon(scene, s.point, hit);
   s.asked = 0;
   *share = k == 0 ? 1.0f - hit->u - hit->v : (k == 1 ? hit->u : hit->v);
   return s;

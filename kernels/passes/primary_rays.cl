@@ -4,8 +4,12 @@
 #include "materials/glass.cl"
 #include "shapes/together.cl"
 
-// The last entry that begins at ray `item` or before.
+// The last entry that begins at ray `item` or before. Mostly all entries but the last have as many samples: the first
+// guess.
 static inline Work work_find(__global const Work* work, uint entries, uint item) {
+  const uint even = min(item / work[0].samples, entries - 1);
+  const Work guess = work[even];
+  if (item - guess.first_ray < guess.samples) return guess;
   uint first = 0;
   for (uint left = entries; left > 1;) {
     const uint half_way = left / 2;

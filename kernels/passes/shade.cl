@@ -2,8 +2,9 @@
 // a sample always in the same order, whatever else the wave holds.
 #include "lights/lights.cl"
 
-static inline uint ray_key(int primitive, uint lit, uint walked, uint second) {
-  return (uint)primitive * 0x9E3779B1u + lit * 0x85EBCA6Bu + walked * 0xC2B2AE35u + second * 0x27D4EB2Fu;
+static inline uint ray_key(const Hit* hit, uint lit, uint walked, uint second) {
+  return primitive_name(hit->primitive, hit->instance) * 0x9E3779B1u + lit * 0x85EBCA6Bu + walked * 0xC2B2AE35u +
+         second * 0x27D4EB2Fu;
 }
 
 static inline Sample sample_begin(uint item) {
@@ -50,7 +51,7 @@ OUTLINED float3 sample_add(const Scene* scene, const Ray* ray, const Hit* hit, c
   s->lookups += medium->lookups;
   s->shadow_rays += medium->shadow_rays;
   s->secondary_rays += wave > 0;
-  s->key += ray_key(hit->primitive, lit, walked, second) * (2 * wave + 1);
+  s->key += ray_key(hit, lit, walked, second) * (2 * wave + 1);
   const float3 weight = vec_unpack(ray->weight), seen = vec_unpack(medium->transmittance) * behind;
   s->error += vec_mean(weight) * (medium->error + vec_mean(seen) * medium->tau_error);
   return weight * (vec_unpack(medium->radiance) + seen);

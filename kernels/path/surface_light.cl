@@ -61,13 +61,14 @@ static inline float3 surface_lights(const Scene* scene, const Surface* surface, 
   Triangle triangle;
   int corners = 1;
   if (hit->primitive >= FIRST_TRIANGLE) {
-    triangle = scene->triangles[hit->primitive - FIRST_TRIANGLE];
+    float3 geometric;
+    triangle = triangle_of(scene, hit->primitive, hit->instance, &geometric);
     if (triangle.shading == TRIANGLE_GOURAUD) corners = 3;
   }
   float3 sum = (float3)(0.0f);
   for (int k = 0; k < corners; ++k) {
     float share = 1.0f;
-    const Surface at = corners == 1 ? *surface : surface_corner(&triangle, hit, surface, k, &share);
+    const Surface at = corners == 1 ? *surface : surface_corner(scene, &triangle, hit, surface, k, &share);
     sum += share * surface_sends(scene, &at, material, to_viewer, weight, random, result);
   }
   return sum;

@@ -55,15 +55,20 @@ PROBE(probe_phase) {
   out[item] = phase_eval(as_int(v[0]), v[1], probe_load3(v + 2), probe_load3(v + 5));
 }
 
-// in: origin, direction, t_max. out: t, primitive as bits, u, v
+static inline void probe_store_hit(const Hit* hit, __global float* out) {
+  out[0] = hit->primitive == PRIMITIVE_NONE ? INFINITY : hit->t;
+  out[1] = as_float(hit->primitive);
+  out[2] = hit->u;
+  out[3] = hit->v;
+  out[4] = as_float(hit->instance);
+}
+
+// in: origin, direction, t_max. out: t, primitive as bits, u, v, instance as bits
 PROBE(probe_hit) {
   PROBE_ITEM;
   __global const float* v = in + 7 * item;
   const Hit hit = scene_hit(&scene, probe_load3(v), probe_load3(v + 3), v[6], 0);
-  out[4 * item] = hit.primitive == PRIMITIVE_NONE ? INFINITY : hit.t;
-  out[4 * item + 1] = as_float(hit.primitive);
-  out[4 * item + 2] = hit.u;
-  out[4 * item + 3] = hit.v;
+  probe_store_hit(&hit, out + 5 * item);
 }
 
 #if RAYS_TOGETHER
@@ -79,14 +84,10 @@ static inline void probe_together(const Scene* scene, uint item, uint count, __g
   rays_hit(scene, &rays, any);
   for (uint i = 0; i < min((uint)W, count - item); ++i) {
     const Hit hit = rays.hit[i];
-    if (any) {
+    if (any)
       out[item + i] = (float)(hit.primitive != PRIMITIVE_NONE);
-      continue;
-    }
-    out[4 * (item + i)] = hit.primitive == PRIMITIVE_NONE ? INFINITY : hit.t;
-    out[4 * (item + i) + 1] = as_float(hit.primitive);
-    out[4 * (item + i) + 2] = hit.u;
-    out[4 * (item + i) + 3] = hit.v;
+    else
+      probe_store_hit(&hit, out + 5 * (item + i));
   }
 }
 
@@ -108,10 +109,10 @@ PROBE(probe_occluded) {
   out[item] = (float)scene_occluded(&scene, probe_load3(v), probe_load3(v + 3), v[6]);
 }
 
-// in: origin, direction, t, primitive as bits, u, v. out: geometric normal, shading normal, uv
+// in: origin, direction, t, primitive as bits, u, v, instance as bits. out: geometric normal, shading normal, uv
 PROBE(probe_surface) {
   PROBE_ITEM;
-  __global const float* v = in + 10 * item;
+  __global const float* v = in + 11 * item;
   Ray ray;
   ray.origin = vec_pack(probe_load3(v));
   ray.dir = vec_pack(probe_load3(v + 3));
@@ -123,6 +124,7 @@ PROBE(probe_surface) {
   hit.primitive = as_int(v[7]);
   hit.u = v[8];
   hit.v = v[9];
+  hit.instance = as_int(v[10]);
   const Surface s = surface_at(&scene, &ray, &hit);
   probe_store3(s.geometric_normal, out + 8 * item);
   probe_store3(s.normal, out + 8 * item + 3);

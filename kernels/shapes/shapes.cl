@@ -3,8 +3,8 @@
 #define BRUME_SHAPES_SHAPES_CL
 #include "lib/scene.cl"
 #include "shapes/box.cl"
-#include "shapes/bvh.cl"
 #include "shapes/cylinder.cl"
+#include "shapes/instances.cl"
 #include "shapes/isosurface.cl"
 #include "shapes/plane.cl"
 #include "shapes/quad.cl"
@@ -47,6 +47,7 @@ static inline Hit shapes_hit(const Scene* scene, float3 origin, float3 dir, floa
   hit.primitive = PRIMITIVE_NONE;
   hit.u = 0.0f;
   hit.v = 0.0f;
+  hit.instance = INSTANCE_NONE;
 #if BRUME_SHAPES_USED
   for (int i = 0; i < scene->frame->shape_count; ++i) {
     const Shape shape = scene->shapes[i];
@@ -72,6 +73,10 @@ static inline Hit scene_hit(const Scene* scene, float3 origin, float3 dir, float
 #if BRUME_TRIANGLES
   if (any && hit.primitive != PRIMITIVE_NONE) return hit;
   if (scene->frame->triangle_count > 0) bvh_hit(scene, 0, origin, dir, any, &hit);
+#endif
+#if BRUME_INSTANCES
+  if (any && hit.primitive != PRIMITIVE_NONE) return hit;
+  if (scene->frame->instance_root >= 0) instances_hit(scene, origin, dir, any, &hit);
 #endif
   return hit;
 }

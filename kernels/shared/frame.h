@@ -24,7 +24,7 @@ typedef struct {
   Packed3 ambient;
   int shape_count;
   int medium_count;
-  int triangle_count;
+  int triangle_count;  // of those in the world
   uint seed;
   int in_scattering;
   int max_depth;
@@ -41,7 +41,8 @@ typedef struct {
   float cutoff;           // rays whose light weighs less than this in every channel are not sent on
   int clear_shadows;      // 1: light passes shapes that refract, straight on; 0: they block it
   int starts_inside;      // 1: camera rays may begin inside of shapes that refract
+  int instance_root;      // of the BVH over the instances; -1: there are none
 } Frame;
-BRUME_LAYOUT(Frame, 200);
+BRUME_LAYOUT(Frame, 204);
 BRUME_SHARED_END
 #endif

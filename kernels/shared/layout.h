@@ -10,12 +10,13 @@
   STRUCT(Packed3, F(x) F(y) F(z))                                                                                      \
   STRUCT(Affine, F(m))                                                                                                 \
   STRUCT(Camera, F(axis) F(type) F(forward) F(width) F(right) F(height) F(up) F(spp) F(back))                          \
-  STRUCT(Frame, F(camera) F(background) F(light_count) F(ambient) F(shape_count) F(medium_count) F(triangle_count)     \
-                    F(seed) F(in_scattering) F(max_depth) F(roulette) F(takes_ends) F(crop_x0) F(crop_y0) F(crop_x1)   \
-                        F(crop_y1) F(bounds_lo) F(bounds_hi) F(light_picks) F(directions) F(occlusion_reach)           \
-                            F(occlusion_rotates) F(hides_background) F(cutoff) F(clear_shadows) F(starts_inside))      \
+  STRUCT(Frame,                                                                                                        \
+         F(camera) F(background) F(light_count) F(ambient) F(shape_count) F(medium_count) F(triangle_count) F(seed)    \
+             F(in_scattering) F(max_depth) F(roulette) F(takes_ends) F(crop_x0) F(crop_y0) F(crop_x1) F(crop_y1)       \
+                 F(bounds_lo) F(bounds_hi) F(light_picks) F(directions) F(occlusion_reach) F(occlusion_rotates)        \
+                     F(hides_background) F(cutoff) F(clear_shadows) F(starts_inside) F(instance_root))                 \
   STRUCT(Light, F(position) F(type) F(direction) F(falloff) F(intensity) F(outer) F(inner) F(exponent) F(primitive)    \
-                    F(point) F(points))                                                                                \
+                    F(instance) F(point) F(points))                                                                    \
   STRUCT(LightGrid, F(grid_from_cell) F(cell_from_grid) F(nu) F(nv) F(nk) F(offset) F(slope_u) F(slope_v)              \
                         F(column_step) F(from_first) F(first_u) F(first_v) F(columns_u) F(columns_v))                  \
   STRUCT(Material, F(diffuse) F(model) F(specular) F(shininess) F(ambient) F(texture) F(emission) F(ior) F(reflection) \
@@ -26,6 +27,7 @@
   STRUCT(Isosurface, F(cell_from_world) F(lo) F(iso) F(hi) F(brick_offset) F(cells_x) F(cells_y) F(cells_z)            \
                          F(brick_nx) F(brick_ny) F(brick_nz) F(masks))                                                 \
   STRUCT(Triangle, F(p) F(n) F(uv) F(material) F(shading))                                                             \
+  STRUCT(Instance, F(mesh_from_world) F(world_from_mesh) F(root) F(mesh) F(material) F(reach) F(lo) F(hi))             \
   STRUCT(BrickGrid, F(brick_offset) F(cells_x) F(cells_y) F(cells_z) F(brick_nx) F(brick_ny) F(brick_nz))              \
   STRUCT(PlacedGrid,                                                                                                   \
          F(cell_from_world) F(world_from_cell) F(lo) F(grid) F(hi) F(interpolation) F(region) F(constant_density))     \
@@ -40,7 +42,7 @@
                  F(sigma_a) F(sigma_s) F(emission) F(phase) F(g) F(method) F(step) F(track_sigma) F(light_grids)       \
                      F(tolerance) F(tau_part) F(tau_lit) F(piece_rates) F(light_steps) F(liquid) F(slices))            \
   STRUCT(Ray, F(origin) F(pixel) F(dir) F(sample) F(weight) F(seed) F(heirs) F(start) F(inside))                       \
-  STRUCT(Hit, F(t) F(primitive) F(u) F(v))                                                                             \
+  STRUCT(Hit, F(t) F(primitive) F(u) F(v) F(instance))                                                                 \
   STRUCT(MediumResult, F(transmittance) F(lookups) F(radiance) F(shadow_key) F(shadow_rays) F(error) F(tau_error))     \
   STRUCT(SurfaceResult,                                                                                                \
          F(radiance) F(lit) F(normal) F(second) F(lookups) F(shadow_rays) F(sent) F(dropped_rays) F(dropped_weight))   \

@@ -62,9 +62,9 @@ typedef struct {
   float inner;  // spot: full light up to here; smoothstep x²(3-2x) in the cosine between the two
   int exponent;
   // A surface: which, and point `point` of `points` on it; 0 points: its middle. `position` is its middle too.
-  int primitive;  // as in shared/ray.h
+  int primitive, instance;  // as in shared/ray.h
   int point, points;
 } Light;
-BRUME_LAYOUT(Light, 68);
+BRUME_LAYOUT(Light, 72);
 BRUME_SHARED_END
 #endif

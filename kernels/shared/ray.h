@@ -41,8 +41,9 @@ typedef struct {
   float t;
   int primitive;  // shape index, FIRST_TRIANGLE + triangle index, or PRIMITIVE_NONE
   float u, v;
+  int instance;  // of whose mesh the triangle is; INSTANCE_NONE: the triangle stands in the world, or it is a shape
 } Hit;
-BRUME_LAYOUT(Hit, 16);
+BRUME_LAYOUT(Hit, 20);
 
 // What the media did to one ray from its origin to the hit.
 typedef struct {

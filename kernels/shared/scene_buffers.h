@@ -23,6 +23,7 @@
   ROW(__global, Isosurface, isosurfaces, FLAT, isosurfaces, "isosurfaces") NEXT                           \
   ROW(__global, uint, iso_masks, FLAT, iso_masks, "cells of isosurfaces") NEXT                            \
   ROW(__global, Triangle, triangles, FLAT, triangles, "triangles") NEXT                                   \
+  ROW(__global, Instance, instances, FLAT, instances, "instances") NEXT                                   \
   ROW(__global, float, bvh_nodes, FLAT, bvh_nodes, "BVH nodes") NEXT                                      \
   ROW(__global, float, bvh_blocks, FLAT, bvh_blocks, "BVH triangles") NEXT                                \
   ROW(__global, Medium, media, JOINED, media, "media") NEXT                                               \

@@ -68,7 +68,8 @@ BRUME_LAYOUT(Isosurface, 108);
 // One normal; normals blended over it; the light of its corners blended.
 enum TriangleShading { TRIANGLE_FLAT, TRIANGLE_PHONG, TRIANGLE_GOURAUD };
 
-// World-space triangle; the hit is (1-u-v) p0 + u p1 + v p2. Normals are unit; unused for TRIANGLE_FLAT.
+// In the world, or of a mesh with instances in the space of that; the hit is (1-u-v) p0 + u p1 + v p2. Normals are
+// unit; unused for TRIANGLE_FLAT.
 typedef struct {
   Packed3 p[3];
   Packed3 n[3];
@@ -78,8 +79,26 @@ typedef struct {
 } Triangle;
 BRUME_LAYOUT(Triangle, 104);
 
-// A primary key of everything that can be hit: analytic shapes first, triangles from FIRST_TRIANGLE on.
+// A mesh that is held once where it stands in one of its places.
+typedef struct {
+  Affine mesh_from_world, world_from_mesh;
+  int root;        // of the mesh's BVH
+  int mesh;        // its number in FlatScene::meshes
+  int material;    // instead of those of the triangles; -1: theirs
+  float reach;     // how large coordinates get on the way there and back, in the world: PICTURE, Hits
+  Packed3 lo, hi;  // a box about it in the world, wider than what rounding of that way comes to
+} Instance;
+BRUME_LAYOUT(Instance, 136);
+
+// A primary key of everything that can be hit: analytic shapes first, triangles from FIRST_TRIANGLE on; of instances the
+// triangle of the mesh, and the number of the instance beside it.
 #define PRIMITIVE_NONE (-1)
 #define FIRST_TRIANGLE (1 << 24)
+#define INSTANCE_NONE (-1)
+
+// One name of both for keys and random numbers; that of the primitive where there is no instance.
+static inline uint primitive_name(int primitive, int instance) {
+  return (uint)primitive + (uint)(instance - INSTANCE_NONE) * 0x165667B1u;
+}
 BRUME_SHARED_END
 #endif

@@ -113,15 +113,16 @@ class Pictures {
     WorkQueue queue(work, film.pixels().size());
     for (std::size_t take = rays; !queue.next(take).empty();) {
       const std::vector<Work>& batch = queue.next(take);
-      std::vector<FilmPixel> pixels;
-      pixels.reserve(batch.size());
-      for (const Work& entry : batch) pixels.push_back(film.pixels()[entry.pixel]);
-      if (!passes.run(batch, pixels)) {  // too many rays were sent on
-        take /= 2;
-        continue;
-      }
-      for (std::size_t i = 0; i < batch.size(); ++i) film.pixels()[batch[i].pixel] = pixels[i];
-      queue.done();
+      const auto fill = [&](FilmPixel* pixels) {
+        for (const Work& entry : batch) *pixels++ = film.pixels()[entry.pixel];
+      };
+      const auto keep = [&](const FilmPixel* pixels) {
+        for (const Work& entry : batch) film.pixels()[entry.pixel] = *pixels++;
+      };
+      if (passes.run(batch, fill, keep))
+        queue.done();
+      else
+        take /= 2;  // too many rays were sent on
     }
     return film;
   }

@@ -67,16 +67,16 @@ Off ball_off(int resolution) {
     in.push_back(INFINITY);
   }
   const Probe probe(pocl(), scene, 16);
-  const std::vector<float> hits = probe.run("probe_hit", in, 7, 4);
+  const std::vector<float> hits = probe.run("probe_hit", in, 7, 5);
   std::vector<float> at;
   for (std::size_t i = 0; i < rays.size(); ++i) {
     at.insert(at.end(), in.begin() + 7 * i, in.begin() + 7 * i + 6);
-    at.insert(at.end(), hits.begin() + 4 * i, hits.begin() + 4 * i + 4);
+    at.insert(at.end(), hits.begin() + 5 * i, hits.begin() + 5 * i + 5);
   }
-  const std::vector<float> surfaces = probe.run("probe_surface", at, 10, 8);
+  const std::vector<float> surfaces = probe.run("probe_surface", at, 11, 8);
   Off off;
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    const dvec3 point = rays[i].at(hits[4 * i]);
+    const dvec3 point = rays[i].at(hits[5 * i]);
     const float* normal = &surfaces[8 * i + 3];
     off.place += std::abs(glm::length(point) - 0.7) / rays.size();
     off.normal += glm::length(dvec3(normal[0], normal[1], normal[2]) - glm::normalize(point)) / rays.size();

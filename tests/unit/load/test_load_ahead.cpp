@@ -36,7 +36,7 @@ TEST(LoadAhead, WhatCannotBeLoadedIsToldWhenItIsAskedFor) {
   desc.media = {perlin(1), MediumDesc{}};
   desc.media[1].density.type = "file";
   desc.media[1].density.file = "/nowhere/a.vdb";
-  desc.shapes.push_back({MeshDesc{"/nowhere/a.obj", {}, {}, {}}, -1, "/shapes/0"});
+  desc.shapes.push_back({MeshDesc{"/nowhere/a.obj", {}, {}, {}, {}, {}}, -1, "/shapes/0"});
   LoadedScene loaded;
   { const LoadAhead ahead(loaded, desc); }
   EXPECT_EQ(loaded.costs().size(), 1u);
@@ -60,7 +60,7 @@ TEST(LoadAhead, AnotherFrameSharesWhatItNamesToo) {
 TEST(LoadAhead, AnotherFrameSharesTexturesOfMeshes) {
   const std::filesystem::path folder = std::filesystem::path(BRUME_SOURCE_DIR) / "scenes/data";
   SceneDesc desc;
-  desc.shapes.push_back({MeshDesc{folder / "lighthouse.obj", {}, {}, {}}, -1, "/shapes/0"});
+  desc.shapes.push_back({MeshDesc{folder / "lighthouse.obj", {}, {}, {}, {}, {}}, -1, "/shapes/0"});
   LoadedScene loaded;
   loaded.mesh(folder / "lighthouse.obj");
   loaded.texture(folder / "lighthouse.png");
@@ -78,7 +78,7 @@ TEST(LoadAhead, FilesOfASceneAreListed) {
   desc.media[1].emission_density->file = "flame.vdb";
   desc.media[2].density.type = "sphere";
   desc.media[2].density.of = std::make_shared<DensityDesc>(desc.media[1].density);
-  desc.shapes.push_back({MeshDesc{"a.obj", {}, {}, {}}, -1, "/shapes/0"});
+  desc.shapes.push_back({MeshDesc{"a.obj", {}, {}, {}, {}, {}}, -1, "/shapes/0"});
   desc.materials.resize(2);
   desc.materials[1].texture.emplace().file = "a.png";
   EXPECT_THAT(scene_files(desc).paths(), testing::ElementsAre("a.vdb", "flame.vdb", "a.vdb", "a.obj", "a.png"));

@@ -1,4 +1,7 @@
 // glTF files: nodes put meshes where they stand, base colour and emission become materials, images inside are found.
+#include <glm/geometric.hpp>
+#include <glm/vec4.hpp>
+
 #include "image/image.hpp"
 #include "unit/mesh/foreign_fixture.hpp"
 
@@ -54,6 +57,42 @@ TEST_F(Gltf, NodesPutMeshesWhereTheyStand) {
   EXPECT_EQ(at(0, 2), glm::dvec3(0, 3, 0));
   const glm::dvec3 turned = at(1, 1) - glm::dvec3(10, 6, 0);  // x became y
   EXPECT_NEAR(std::abs(turned.x) + std::abs(turned.y) + std::abs(turned.z), 0, 1e-6);
+}
+
+// As often as a copy would take more room than saying where it stands.
+TEST_F(Gltf, AMeshOfSeveralNodesIsHeldOnce) {
+  const auto read_with = [&](std::uint32_t triangles) {
+    json file = gltf_json();
+    std::string buffer = gltf_buffer();
+    for (std::uint32_t i = 1; i < triangles; ++i) buffer += buffer.substr(60, 12);
+    write(buffer, "a.bin");
+    file["buffers"][0]["byteLength"] = buffer.size();
+    file["bufferViews"][2]["byteLength"] = 12 * triangles;
+    file["accessors"][2]["count"] = 3 * triangles;
+    file["scenes"][0]["nodes"] = {0, 1, 2};
+    file["nodes"] =
+        json::parse(R"([{"mesh": 0, "scale": [2, 3, 4]}, {"mesh": 0, "translation": [10, 0, 0]}, {"mesh": 1}])");
+    file["meshes"].push_back(file["meshes"][0]);
+    return read_json(file);
+  };
+  const Mesh mesh = read_with(33);
+  ASSERT_EQ(mesh.parts.size(), 1u);
+  EXPECT_EQ(mesh.parts[0].first, 33u) << "behind the mesh of one node";
+  EXPECT_EQ(mesh.parts[0].count, 33u);
+  ASSERT_EQ(mesh.parts[0].placements.size(), 2u);
+  EXPECT_EQ(mesh.parts[0].placements[0] * glm::dvec4(1, 1, 1, 1), glm::dvec3(2, 3, 4));
+  EXPECT_EQ(mesh.parts[0].placements[1] * glm::dvec4(1, 1, 1, 1), glm::dvec3(11, 1, 1));
+  EXPECT_EQ(mesh.triangles.size(), 66u);
+  EXPECT_TRUE(read_with(32).parts.empty());
+  EXPECT_EQ(read_with(32).triangles.size(), 96u);
+}
+
+TEST_F(Gltf, AMirroredNodeKeepsTheOuterSide) {
+  json file = gltf_json();
+  file["nodes"][0]["scale"] = {-1, 1, 1};
+  const Mesh mesh = read_json(file);
+  const auto at = [&](int k) { return mesh.positions[std::size_t(mesh.triangles[0].position[k])]; };
+  EXPECT_GT(glm::cross(at(1) - at(0), at(2) - at(0)).z, 0);
 }
 
 TEST_F(Gltf, NormalsAreTurnedWithTheirNodes) {

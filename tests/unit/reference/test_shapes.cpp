@@ -133,17 +133,28 @@ TEST(ReferenceShapes, BoundsOfTriangleRunsNeverChangeAHit) {
     const dvec3 p = point();
     test::triangle_add(scene, p, p + 0.2 * point(), p + 0.2 * point());
   }
+  scene.meshes.push_back({120, 80});
+  for (int i = 0; i < 4; ++i) {
+    Instance instance{};
+    for (int row = 0; row < 3; ++row)
+      for (int k = 0; k < 4; ++k)
+        instance.world_from_mesh.m[4 * row + k] = static_cast<float>(0.4 * random() + (row == k ? 0.7 : 0));
+    scene.instances.push_back(instance);
+  }
   const TriangleBounds bounds(scene);
-  int hits = 0;
+  int hits = 0, of_instances = 0;
   for (int i = 0; i < 500; ++i) {
     const dvec3 from = 2.0 * point();
     const RayD ray{from, vec_unit(0.5 * point() - from)};
     const HitD plain = nearest_hit(scene, ray), skipping = nearest_hit(scene, bounds, ray);
     EXPECT_EQ(plain.primitive, skipping.primitive);
+    EXPECT_EQ(plain.instance, skipping.instance);
     EXPECT_EQ(plain.t, skipping.t);
+    of_instances += plain.instance != INSTANCE_NONE;
     hits += plain.primitive != PRIMITIVE_NONE;
   }
   EXPECT_GT(hits, 50);
+  EXPECT_GT(of_instances, 20);
 }
 
 }  // namespace

@@ -35,6 +35,8 @@ inline const char* const SCENE_FULL = R"({
     {"type": "box", "min": [0, 1, 2], "max": [3, 4, 5], "transform": [{"rotate": [0, 1, 0, 30]}, {"scale": [1, 2, -3]}]},
     {"type": "triangle", "vertices": [[0, 0, 0], [1, 0, 0], [0, 1, 0]]},
     {"type": "mesh", "file": "../models/bunny.obj", "shading": "flat", "crease": 60.5, "transform": [{"translate": [0, 1.5, 0]}]},
+    {"type": "mesh", "file": "../models/cow.obj", "shading": "phong", "transform": [], "instances": [[{"scale": [1, 2, 1]}], []]},
+    {"type": "mesh", "file": "../models/cow.obj", "shading": "gouraud", "transform": [], "instances": "../models/herd.txt"},
     {"type": "isosurface", "density": {"type": "linear", "resolution": [4, 4, 4]}, "iso": 0.25,
      "bounds": [[-1, -2, -3], [1, 2, 3]], "transform": [{"scale": [2, 2, 2]}], "material": "b"}],
   "media": [

@@ -82,6 +82,13 @@ TEST(SceneRefusals, RefusesBrokenLights) {
        "/lights/0/angle: expected a number in (0, 90), got 90"},
       {R"({"shapes": [{"type": "mesh", "file": "a.obj", "crease": 181}]})",
        "/shapes/0/crease: expected a number in [0, 180], got 181"},
+      {R"({"shapes": [{"type": "mesh", "file": "a.obj", "instances": []}]})",
+       "/shapes/0/instances: expected a transform or more, or the path of a file"},
+      {R"({"shapes": [{"type": "mesh", "file": "a.obj", "instances": [[], {"scale": 2}]}]})",
+       "/shapes/0/instances/1: expected a list"},
+      {R"({"shapes": [{"type": "mesh", "file": "a.obj", "instances": [[{"scale": [1, 0, 1]}]]}]})",
+       "/shapes/0/instances/0/0/scale: a scale of 0 leaves nothing"},
+      {R"({"shapes": [{"type": "sphere", "instances": [[]]}]})", "/shapes/0: unknown key 'instances'"},
       {R"({"lights": [{"type": "spot", "position": [0, 0, 0], "direction": [0, 1, 0], "softness": 2}]})",
        "/lights/0/softness: expected a number in [0, 1], got 2"},
   });

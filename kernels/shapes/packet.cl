@@ -175,7 +175,7 @@ static inline void packet_leaf(const Scene* scene, const PacketBox* box, const S
 
 // bvh_hit of W rays; 0, and nothing done, where they do not go about the same way. Of `any`, t is PACKET_DONE of those
 // that hit something.
-OUTLINED int packet_hit(const Scene* scene, int root, const RayPacket* rays, int any, PacketHit* hit) {
+BVH_CALLED int packet_hit(const Scene* scene, int root, const RayPacket* rays, int any, PacketHit* hit) {
   PacketBox box;
   if (!packet_box(rays, &box)) return 0;
   const ShearedPacket sheared = packet_shear(rays, box.kz);

@@ -17,12 +17,15 @@
 #include "film/film_write.hpp"
 #include "measure.hpp"
 #include "peers.hpp"
+#include "ray_bench.hpp"
 #include "render/device_scene.hpp"
 #include "scene_bench.hpp"
 
 namespace brume::bench {
 
 namespace {
+
+constexpr int RAY_RUNS = 5;  // for each of other benchmarks
 
 void render_benchmark(::benchmark::State& state, const DeviceInfo& device, const Workload& work,
                       const Setting& setting) {
@@ -176,6 +179,9 @@ std::vector<Row> benchmarks_run(const DeviceInfo& device, const std::vector<Work
   for (const SceneCase& scene : scenes)
     add("scene/" + scene.name, options.repetitions,
         [&](::benchmark::State& state) { scene_benchmark(state, device, scene, workloads.front().desc.film.size); });
+  const int ray_runs = RAY_RUNS * options.repetitions;  // of some 10 ms each
+  for (const RayBench& bench : ray_benches(device, folder, ray_runs, options.peers))
+    add(bench.name, ray_runs, bench.measure);
   RowReporter reporter(begin, report);
   std::ostringstream complaints;  // of a filter that is none, or that nothing matches
   reporter.SetErrorStream(&complaints);

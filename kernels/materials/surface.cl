@@ -9,6 +9,7 @@ typedef struct {
   int leaving;  // the ray comes from the side to which the shape's own normal does not point: from inside a closed one
   float epsilon;  // offset of rays that leave the point, PICTURE, Hits
   int material;
+  uint asked, blocked;  // bit n: it is known of the light of shadow ray n whether surfaces block it; they do
 } Surface;
 
 static inline float3 triangle_normal(const Triangle* t, const Hit* hit, float3 geometric) {
@@ -60,6 +61,7 @@ static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* 
     s.normal = -s.normal;
   }
   s.epsilon = surface_epsilon(scene, s.point, hit);
+  s.asked = s.blocked = 0;
   return s;
 }
 
@@ -71,6 +73,7 @@ static inline Surface surface_corner(const Scene* scene, const Triangle* t, cons
   s.point = vec_unpack(t->p[k]);
   s.normal = vec_unpack(t->n[k]) * (s.leaving ? -1.0f : 1.0f);
   s.epsilon = surface_epsilon(scene, s.point, hit);
+  s.asked = 0;
   *share = k == 0 ? 1.0f - hit->u - hit->v : (k == 1 ? hit->u : hit->v);
   return s;
 }

@@ -32,16 +32,14 @@ static inline Ray ray_begin(const Scene* scene, __global const Work* work, uint 
 }
 
 // On a CPU the first of W items follows the rays of all of them, which go about the same way.
-#define TOGETHER (W > 1 && BRUME_TRIANGLES)
-
-#if TOGETHER
+#if RAYS_TOGETHER
 OUTLINED void hits_together(const Scene* scene, uint first, uint count, __global const Ray* rays, __global Hit* hits) {
   RayLanes lanes;
   for (uint i = 0; i < W; ++i) {
     const Ray ray = rays[min(first + i, count - 1)];
-    ray_lane_set(&lanes, i, vec_unpack(ray.origin), vec_unpack(ray.dir));
+    ray_lane_set(&lanes, i, vec_unpack(ray.origin), vec_unpack(ray.dir), INFINITY);
   }
-  rays_hit(scene, &lanes);
+  rays_hit(scene, &lanes, 0);
   for (uint i = 0; i < W && first + i < count; ++i) hits[first + i] = lanes.hit[i];
 }
 #endif
@@ -51,7 +49,7 @@ __kernel void primary_rays(SCENE_ARGS, __global const Work* work, uint entries, 
   const uint item = (uint)get_global_id(0);
   if (item >= count) return;
   const Scene scene = SCENE_PACK;
-#if TOGETHER
+#if RAYS_TOGETHER
   if (item % W != 0) return;
   for (uint i = item; wave == 0 && i < min(item + W, count); ++i) rays[i] = ray_begin(&scene, work, entries, i);
   hits_together(&scene, item, count, rays, hits);

@@ -6,18 +6,31 @@
 #include "materials/material.cl"
 #include "media/tau.cl"
 
+// The light of a shadow ray and where the ray begins; 0 where the light comes from behind.
+static inline int shadow_ray(const Scene* scene, const Surface* surface, LightPick pick, Random random,
+                             LightSample* light, float3* from) {
+  *light = light_sample(scene, pick.light, surface->point, random);
+  *from = surface_leave(surface, -light->travel);
+  return dot(surface->normal, -light->travel) > 0.0f;
+}
+
 // What it scatters of the light of shadow ray n; none where that comes from behind or something blocks it. `weight`: of
 // that in the sample. Of what refracts, highlights are asked for where they count.
 static inline float3 surface_light(const Scene* scene, const Surface* surface, const Material* material, float3 diffuse,
                                    float3 to_viewer, float3 weight, LightPick pick, int n, Random random,
                                    SurfaceResult* result) {
-  const LightSample light = light_sample(scene, pick.light, surface->point, random);
-  const float3 to_light = -light.travel, from = surface_leave(surface, to_light);
+  LightSample light;
+  float3 from;
+  const int faces = shadow_ray(scene, surface, pick, random, &light, &from);
+  const float3 to_light = -light.travel;
   ++result->shadow_rays;
-  if (!(dot(surface->normal, to_light) > 0.0f)) return (float3)(0.0f);
+  if (!faces) return (float3)(0.0f);
   const float3 scattered = material_reflect(material, diffuse, surface->normal, to_light, to_viewer);
   if (material->refraction > 0.0f && vec_max(weight * scattered) < scene->frame->cutoff) return (float3)(0.0f);
-  const float3 passes = light_passes(scene, from, to_light, light.reach, surface_gap(surface, to_light));
+  const int known = n < 32 && (surface->asked >> n & 1);
+  if (known && (surface->blocked >> n & 1)) return (float3)(0.0f);
+  const float3 passes =
+      known ? (float3)(1.0f) : light_passes(scene, from, to_light, light.reach, surface_gap(surface, to_light));
   if (!(vec_max(passes) > 0.0f)) return (float3)(0.0f);
   result->lit |= 1u << (pick.light & 31);
   const float3 transmittance = media_transmittance(scene, from, to_light, light.distance,

@@ -71,23 +71,36 @@ PROBE(probe_hit) {
   probe_store_hit(&hit, out + 5 * item);
 }
 
-// The same for t_max = INFINITY, by W rays at once.
-PROBE(probe_hit_together) {
-  PROBE_ITEM;
-#if W > 1
+#if RAYS_TOGETHER
+// The same by W rays at once; of `any` only whether something is hit.
+static inline void probe_together(const Scene* scene, uint item, uint count, __global const float* in, int any,
+                                  __global float* out) {
   if (item % W != 0) return;
   RayLanes rays;
   for (uint i = 0; i < W; ++i) {
     __global const float* v = in + 7 * min(item + i, count - 1);
-    ray_lane_set(&rays, i, probe_load3(v), probe_load3(v + 3));
+    ray_lane_set(&rays, i, probe_load3(v), probe_load3(v + 3), v[6]);
   }
-  rays_hit(&scene, &rays);
+  rays_hit(scene, &rays, any);
   for (uint i = 0; i < min((uint)W, count - item); ++i) {
     const Hit hit = rays.hit[i];
-    probe_store_hit(&hit, out + 5 * (item + i));
+    if (any)
+      out[item + i] = (float)(hit.primitive != PRIMITIVE_NONE);
+    else
+      probe_store_hit(&hit, out + 5 * (item + i));
   }
-#endif
 }
+
+PROBE(probe_hit_together) {
+  PROBE_ITEM;
+  probe_together(&scene, item, count, in, 0, out);
+}
+
+PROBE(probe_occluded_together) {
+  PROBE_ITEM;
+  probe_together(&scene, item, count, in, 1, out);
+}
+#endif
 
 // in: origin, direction, t_max. out: 1 when something is hit before t_max
 PROBE(probe_occluded) {

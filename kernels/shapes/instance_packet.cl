@@ -12,11 +12,6 @@
 #define TOGETHER_TRIED 3        // of so many instances
 #define BOX_SLACK 0x1p-20f  // of the way to a plane through the origin: what rounding of those to both sides comes to
 
-// Several places ask for a BVH below a root.
-OUTLINED int tree_packet_hit(const Scene* scene, int root, const RayPacket* rays, PacketHit* hit) {
-  return packet_hit(scene, root, rays, hit);
-}
-
 // W rays, each number of all of them side by side.
 typedef struct {
   float origin[3][W], dir[3][W];
@@ -99,7 +94,7 @@ static inline int instance_packet_hit(const Scene* scene, int index, const RayPa
   found.u = u;
   found.v = v;
   found.primitive = none;
-  if (!tree_packet_hit(scene, scene->instances[index].root, in_mesh, &found)) return 0;
+  if (!packet_hit(scene, scene->instances[index].root, in_mesh, 0, &found)) return 0;
   const intW met = some & (found.primitive != none);
   lanes_store(lanes_select(t, found.t, met), rays->t);
   lanes_store(found.u, rays->u);

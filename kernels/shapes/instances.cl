@@ -5,16 +5,6 @@
 #include "shapes/bvh.cl"
 
 #if BRUME_INSTANCES
-// Several places ask for a BVH below a root.
-OUTLINED void tree_hit(const Scene* scene, int root, float3 origin, float3 dir, int any, Hit* hit) {
-  bvh_hit(scene, root, origin, dir, any, hit);
-}
-#else
-#define tree_hit bvh_hit
-#endif
-
-#if BRUME_INSTANCES
-
 // dir keeps the length that it gets, so that distances are those of the world. Equal ones go to what stands in the
 // world, then to the lower instance, whatever the order of visits.
 static inline void instance_hit(const Scene* scene, int index, float3 origin, float3 dir, int any, Hit* hit) {
@@ -22,7 +12,7 @@ static inline void instance_hit(const Scene* scene, int index, float3 origin, fl
   const int none = index < hit->instance ? INT_MAX : PRIMITIVE_NONE;
   Hit found = *hit;
   found.primitive = none;
-  tree_hit(scene, scene->instances[index].root, affine_point(&there, origin), affine_dir(&there, dir), any, &found);
+  bvh_hit(scene, scene->instances[index].root, affine_point(&there, origin), affine_dir(&there, dir), any, &found);
   if (found.primitive == none) return;
   found.instance = index;
   *hit = found;

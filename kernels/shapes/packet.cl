@@ -6,6 +6,7 @@
 
 #if W > 1
 
+#define PACKET_DONE (-1.0f)   // t of a ray that has nothing left to find
 #define PACKET_SPREAD 0.125f  // of a component of the directions: of more, the boxes that one of them meets are many
 
 // Components of W vectors.
@@ -155,7 +156,7 @@ static inline void packet_triangle(const ShearedPacket* r, __global const float*
   hit->primitive = select(hit->primitive, (intW)(primitive), better);
 }
 
-static inline void packet_leaf(const Scene* scene, const PacketBox* box, const ShearedPacket* rays, int link,
+static inline void packet_leaf(const Scene* scene, const PacketBox* box, const ShearedPacket* rays, int link, int any,
                                PacketHit* hit, float* t_max) {
   const int first = (~link) >> 4, count = (~link) & 15;
   for (int block = first; block < first + count; ++block) {
@@ -167,12 +168,14 @@ static inline void packet_leaf(const Scene* scene, const PacketBox* box, const S
       const int lane = bvh_lowest(mask);
       packet_triangle(rays, corners + lane, FIRST_TRIANGLE + ids[lane], hit);
     }
+    if (any) hit->t = lanes_select(hit->t, (floatW)(PACKET_DONE), hit->primitive != PRIMITIVE_NONE);
     *t_max = lanes_most(hit->t);
   }
 }
 
-// bvh_hit of W rays; 0, and nothing done, where they do not go about the same way.
-static inline int packet_hit(const Scene* scene, int root, const RayPacket* rays, PacketHit* hit) {
+// bvh_hit of W rays; 0, and nothing done, where they do not go about the same way. Of `any`, t is PACKET_DONE of those
+// that hit something.
+BVH_CALLED int packet_hit(const Scene* scene, int root, const RayPacket* rays, int any, PacketHit* hit) {
   PacketBox box;
   if (!packet_box(rays, &box)) return 0;
   const ShearedPacket sheared = packet_shear(rays, box.kz);
@@ -184,7 +187,8 @@ static inline int packet_hit(const Scene* scene, int root, const RayPacket* rays
       link = packet_open(scene, &box, link, t_max, stack, &top);
       if (link != BVH_ABSENT) continue;
     } else {
-      packet_leaf(scene, &box, &sheared, link, hit, &t_max);
+      packet_leaf(scene, &box, &sheared, link, any, hit, &t_max);
+      if (t_max < 0.0f) return 1;
     }
     do {
       if (top == 0) return 1;

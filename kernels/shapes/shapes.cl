@@ -72,7 +72,7 @@ static inline Hit scene_hit(const Scene* scene, float3 origin, float3 dir, float
   Hit hit = shapes_hit(scene, origin, dir, t_max, any);
 #if BRUME_TRIANGLES
   if (any && hit.primitive != PRIMITIVE_NONE) return hit;
-  if (scene->frame->triangle_count > 0) tree_hit(scene, 0, origin, dir, any, &hit);
+  if (scene->frame->triangle_count > 0) bvh_hit(scene, 0, origin, dir, any, &hit);
 #endif
 #if BRUME_INSTANCES
   if (any && hit.primitive != PRIMITIVE_NONE) return hit;

@@ -1,10 +1,13 @@
-// scene_hit of W rays at once: the same bits, sooner where the rays go about the same way.
+// scene_hit of W rays at once: the same bits (of `any`, the same answer), sooner where the rays go about the same way.
 #ifndef BRUME_SHAPES_TOGETHER_CL
 #define BRUME_SHAPES_TOGETHER_CL
 #include "shapes/instance_packet.cl"
 #include "shapes/shapes.cl"
 
-#if W > 1 && BRUME_TRIANGLES
+// On a CPU the first of W work-items works for all of them.
+#define RAYS_TOGETHER (W > 1 && BRUME_TRIANGLES)
+
+#if RAYS_TOGETHER
 typedef struct {
   float origin[3][W], dir[3][W];
   Hit hit[W];
@@ -12,7 +15,9 @@ typedef struct {
 
 static inline float3 lane_vector(float v[3][W], int lane) { return (float3)(v[0][lane], v[1][lane], v[2][lane]); }
 
-static inline void ray_lane_set(RayLanes* rays, int lane, float3 origin, float3 dir) {
+// t_max not above 0: nothing is looked for.
+static inline void ray_lane_set(RayLanes* rays, int lane, float3 origin, float3 dir, float t_max) {
+  rays->hit[lane].t = t_max;
   rays->origin[0][lane] = origin.x;
   rays->origin[1][lane] = origin.y;
   rays->origin[2][lane] = origin.z;
@@ -62,8 +67,14 @@ static inline RayPacket packet_of_rays(RayLanes* rays) {
 }
 
 #if BRUME_INSTANCES
-// Nearest triangle of an instance of each ray.
-static inline void rays_hit_instances(const Scene* scene, RayLanes* rays) {
+// Nearest triangle of an instance of each ray; `any`: one by one.
+static inline void rays_hit_instances(const Scene* scene, RayLanes* rays, int any) {
+  if (any) {
+    for (int i = 0; i < W; ++i)
+      if (rays->hit[i].t > 0.0f && rays->hit[i].primitive == PRIMITIVE_NONE)
+        instances_hit(scene, lane_vector(rays->origin, i), lane_vector(rays->dir, i), 1, &rays->hit[i]);
+    return;
+  }
   InstanceRays all;
   for (int i = 0; i < W; ++i) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -91,27 +102,30 @@ static inline void rays_hit_instances(const Scene* scene, RayLanes* rays) {
     if (!done) instances_hit(scene, lane_vector(rays->origin, i), lane_vector(rays->dir, i), 0, hit);
   }
 }
-#define packet_hit_below tree_packet_hit
-#else
-#define packet_hit_below packet_hit
 #endif
 
-// Nearest surface with t > 0 of each ray.
-static inline void rays_hit(const Scene* scene, RayLanes* rays) {
-  for (int i = 0; i < W; ++i)
-    rays->hit[i] = shapes_hit(scene, lane_vector(rays->origin, i), lane_vector(rays->dir, i), INFINITY, 0);
-  if (scene->frame->triangle_count > 0) {
-    const RayPacket packet = packet_of_rays(rays);
-    PacketHit found = packet_of_hits(rays->hit);
-    if (packet_hit_below(scene, 0, &packet, &found)) {
-      packet_to_hits(&found, rays->hit);
-    } else {
-      for (int i = 0; i < W; ++i)
-        tree_hit(scene, 0, lane_vector(rays->origin, i), lane_vector(rays->dir, i), 0, &rays->hit[i]);
-    }
+static inline void rays_hit_triangles(const Scene* scene, RayLanes* rays, int any) {
+  const RayPacket packet = packet_of_rays(rays);
+  PacketHit found = packet_of_hits(rays->hit);
+  if (packet_hit(scene, 0, &packet, any, &found)) {
+    packet_to_hits(&found, rays->hit);
+    return;
   }
+  for (int i = 0; i < W; ++i)
+    if (rays->hit[i].t > 0.0f)
+      bvh_hit(scene, 0, lane_vector(rays->origin, i), lane_vector(rays->dir, i), any, &rays->hit[i]);
+}
+
+// Nearest surface with 0 < t < t_max of each ray; `any`: the first one found will do.
+static inline void rays_hit(const Scene* scene, RayLanes* rays, int any) {
+  for (int i = 0; i < W; ++i) {
+    Hit* hit = &rays->hit[i];
+    *hit = shapes_hit(scene, lane_vector(rays->origin, i), lane_vector(rays->dir, i), hit->t, any);
+    if (any && hit->primitive != PRIMITIVE_NONE) hit->t = PACKET_DONE;
+  }
+  if (scene->frame->triangle_count > 0) rays_hit_triangles(scene, rays, any);
 #if BRUME_INSTANCES
-  if (scene->frame->instance_root >= 0) rays_hit_instances(scene, rays);
+  if (scene->frame->instance_root >= 0) rays_hit_instances(scene, rays, any);
 #endif
 }
 #endif

@@ -35,9 +35,19 @@ std::vector<float> groups(int count, double cone, double apart, CheckRandom& ran
   return rays;
 }
 
-TEST(Together, RaysHitWhatTheyHitAlone) {
-  const auto folder = std::filesystem::temp_directory_path() / ("brume-together-" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
+class Together : public testing::Test {
+ protected:
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("brume-together-" + std::to_string(getpid()));
+  void SetUp() override { std::filesystem::create_directories(folder); }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+};
+
+bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
+
+TEST_F(Together, RaysHitWhatTheyHitAlone) {
   std::ofstream(folder / "ball.obj") << test::closed_mesh(5, 0.1).obj();
   const std::string others =
       R"({"type": "sphere", "radius": 0.98}, {"type": "box", "min": [0.5, 0.5, -2], "max": [0.6, 0.9, 2]}]})";
@@ -50,20 +60,41 @@ TEST(Together, RaysHitWhatTheyHitAlone) {
           R"(]}, {"type": "triangle", "vertices": [[-3, -1, 0.2], [3, -1, 0.2], [0, 1, 0.1]]}, )" + others};
   Context context(device_choose("portable computing language"));
   CheckRandom random;
-  for (const int lanes : {4, 8, 16})
-    for (const std::string& text : texts) {
-      const PlannedScene scene = flatten(scene_read_text(text, folder / "ball.json", {}), {bvh_width_for(lanes), {}});
-      const Probe probe(context, scene, lanes);
-      for (const int count : {3, 16 * 4096 + 5})
-        for (const auto& [cone, apart] : {std::pair{0.02, 0.0}, {0.1, 0.0}, {0.05, 0.05}, {1.0, 1.0}}) {
-          const std::vector<float> rays = groups(count, cone, apart, random);
-          std::vector<float> alone = probe.run("probe_hit", rays, 7, 5);
-          const std::vector<float> together = probe.run("probe_hit_together", rays, 7, 5);
-          EXPECT_EQ(std::memcmp(alone.data(), together.data(), alone.size() * sizeof(float)), 0)
-              << lanes << " lanes, " << count << " rays, cone " << cone << ", apart " << apart;
-        }
+  for (const auto& [lanes, text] :
+       {std::pair{4, texts[0]}, {8, texts[0]}, {16, texts[0]}, {8, texts[1]}, {16, texts[1]}}) {
+    const PlannedScene scene = flatten(scene_read_text(text, folder / "ball.json", {}), {bvh_width_for(lanes), {}});
+    const Probe probe(context, scene, lanes);
+    for (const int count : {3, 16 * 4096 + 5})
+      for (const auto& [cone, apart] : {std::pair{0.02, 0.0}, {0.1, 0.0}, {0.05, 0.05}, {1.0, 1.0}}) {
+        std::vector<float> rays = groups(count, cone, apart, random);
+        const std::string what = std::to_string(lanes) + " lanes, " + std::to_string(count) + " rays, cone " +
+                                 std::to_string(cone) + ", apart " + std::to_string(apart);
+        EXPECT_TRUE(same_bits(probe.run("probe_hit", rays, 7, 5), probe.run("probe_hit_together", rays, 7, 5))) << what;
+        for (std::size_t i = 6; i < rays.size(); i += 7) rays[i] = static_cast<float>(random.uniform(-0.1, 1));
+        EXPECT_TRUE(
+            same_bits(probe.run("probe_occluded", rays, 7, 1), probe.run("probe_occluded_together", rays, 7, 1)))
+            << what;
+      }
+  }
+}
+
+// By which rule triangles were parted changes nothing.
+TEST_F(Together, RaysHitTheSameByEveryRule) {
+  std::ofstream(folder / "ball.obj") << test::closed_mesh(3, 0.1).obj();
+  Context context(device_choose("portable computing language"));
+  CheckRandom random;
+  const std::vector<float> rays = groups(8192, 0.05, 0.05, random);
+  for (const int lanes : {1, 4, 8}) {
+    std::vector<float> before;
+    for (const char* rule : {"list", "midpoint", "sah"}) {
+      const SceneDesc desc = scene_read_text(R"({"shapes": [{"type": "mesh", "file": "ball.obj"}]})",
+                                             folder / "ball.json", {std::string("/render/bvh=") + rule});
+      const PlannedScene scene = flatten(desc, {bvh_width_for(lanes), {}});
+      const std::vector<float> hits = Probe(context, scene, lanes).run("probe_hit", rays, 7, 5);
+      EXPECT_TRUE(before.empty() || same_bits(before, hits)) << rule << ", " << lanes << " lanes";
+      before = hits;
     }
-  std::filesystem::remove_all(folder);
+  }
 }
 
 }  // namespace

@@ -44,10 +44,10 @@ class Watertight : public testing::Test {
   // Rays that get out, or are told that they do.
   int escapes(const PlannedScene& scene, const std::vector<float>& rays, int lanes) {
     const Probe probe(context_, scene, lanes);
-    const std::vector<float> hits = probe.run("probe_hit", rays, 7, 4), found = probe.run("probe_occluded", rays, 7, 1);
+    const std::vector<float> hits = probe.run("probe_hit", rays, 7, 5), found = probe.run("probe_occluded", rays, 7, 1);
     int out = 0;
     for (std::size_t i = 0; i < found.size(); ++i) {
-      const double t = hits[4 * i] * scene.unit;
+      const double t = hits[5 * i] * scene.unit;
       out += !(t > 1 - ROUGHNESS - CORE - 0.1 && t < 1 + ROUGHNESS + CORE) || found[i] != 1;
     }
     return out;

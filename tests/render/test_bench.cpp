@@ -87,6 +87,22 @@ TEST_F(Bench, RefusesWhatCannotBeCompared) {
   expect_refused("bench --compare a.json no.json", 2, "no.json");
 }
 
+// Within a closed sphere every ray hits it, and nothing lies between it and the lamp; so says the peer, where it is.
+TEST_F(Bench, FollowsRaysBesideEmbree) {
+  const Outcome r = run("bench --peers --repetitions 1 --filter sphere70k/ --json rays.json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  const Json json = Json::parse(text(folder_ / "rays.json"));
+  ASSERT_EQ(json["benchmarks"].size(), 8u);
+  for (const Json& row : json["benchmarks"]) {
+    const std::string name = row["name"];
+    if (row.contains("failure") || name.find("build") != std::string::npos) continue;
+    EXPECT_EQ(row["seconds"].size(), 5u) << name;
+    EXPECT_GT(row["rays"], 262000) << name;
+    const double share = row["hits"].get<double>() / row["rays"].get<double>();
+    EXPECT_NEAR(share, name.find("shadow") != std::string::npos ? 0 : 1, 1e-4) << name;
+  }
+}
+
 TEST_F(Bench, MeasuresARowForEachBenchmark) {
   const Outcome r = run("bench --size 16 --filter 'render/fog128/march_midpoint_(1/trace|4/grid32)' --json out.json");
   ASSERT_EQ(r.exit_code, 0) << r.err;

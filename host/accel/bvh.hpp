@@ -19,14 +19,22 @@ struct BvhBox {
 };
 
 // Appends the BVH of the triangles from `first` on and returns the number of its root; links and ids count from the
-// start of the buffers and of `triangles`. width: children per node and triangles per block, 4 or 8. At least one
-// triangle. Deterministic. Fits the traversal's stack whatever the triangles are. Throws RuntimeError for more blocks
-// than the 27 bits of a leaf link.
-int bvh_append(FlatBvh& bvh, const std::vector<Triangle>& triangles, std::size_t first, int width);
+// start of the buffers and of `triangles`. width: children per node and triangles per block, 4 or 8. rule: BVH_x.
+// At least one triangle. Deterministic, on all cores. Fits the traversal's stack whatever the triangles are. Throws
+// RuntimeError for more blocks than the 27 bits of a leaf link.
+int bvh_append(FlatBvh& bvh, const std::vector<Triangle>& triangles, std::size_t first, int width, int rule = BVH_SAH);
 // The same over boxes, one or more: nodes alone, the link to box i is ~i.
 int bvh_append_boxes(FlatBvh& bvh, const std::vector<BvhBox>& boxes, int width);
 // Of all triangles, root 0. No triangles: empty arrays.
-FlatBvh bvh_build(const std::vector<Triangle>& triangles, int width);
+FlatBvh bvh_build(const std::vector<Triangle>& triangles, int width, int rule = BVH_SAH);
+
+// What a ray through the box of the root costs: how many nodes it opens, and half as much for each block of triangles
+// that it looks at, in the mean over rays from everywhere [Goldsmith87].
+struct BvhMeasure {
+  double sah_cost = 0;
+  int depth = 0;  // nodes from the root to the deepest leaf
+};
+BvhMeasure bvh_measure(const FlatBvh& bvh, int root, int width);
 
 // The binary tree under it, exposed for the collapse and for tests.
 struct BinaryNode {
@@ -39,7 +47,7 @@ struct BinaryBvh {
   std::vector<BinaryNode> nodes;     // node 0 is the root
   std::vector<std::uint32_t> order;  // of boxes, leaves hold ranges of it
 };
-BinaryBvh bvh_build_binary(const std::vector<BvhBox>& boxes, int leaf_size);
+BinaryBvh bvh_build_binary(const std::vector<BvhBox>& boxes, int leaf_size, int rule = BVH_SAH);
 // Appends the wide tree of a binary one and returns the number of its root. leaf: what a link to that leaf is; below 0.
 // Throws RuntimeError for a tree so deep that no choice of nodes fits the traversal's stack too.
 using LeafLink = std::function<std::int32_t(const BinaryNode&)>;

@@ -1,134 +1,108 @@
-// Binary BVH by binned surface-area heuristic [Wald07]. Where the bins cannot separate the centroids, or the tree gets
-// deep, the range is halved by index: the depth stays bounded whatever the triangles are.
-#include <algorithm>
-#include <array>
-#include <limits>
-#include <numeric>
+// Binary BVH by a rule of bvh_split.hpp. Where the rule finds no place, or the tree gets deep, the range is halved as it
+// stands: the depth stays bounded whatever the boxes are. Large ranges are built side by side.
+#include <future>
 
-#include "accel/bvh.hpp"
+#include "accel/bvh_split.hpp"
 
 namespace brume {
 
 namespace {
 
-constexpr int BINS = 16;
-constexpr int SAH_DEPTH_MAX = 40;  // below, halves only: at most 32 levels more
+constexpr int RULE_DEPTH_MAX = 40;              // below, halves only: at most 32 levels more
+constexpr int PARALLEL_DEPTH = 4;               // levels whose parts are built side by side: up to 16 at once
+constexpr std::uint32_t PARALLEL_LEAST = 4096;  // boxes in a range that is worth a thread
 
-struct Box : BvhBox {
-  Box() {
-    std::fill(lo, lo + 3, std::numeric_limits<float>::infinity());
-    std::fill(hi, hi + 3, -std::numeric_limits<float>::infinity());
-  }
-  void add(const float* p) {
-    for (int a = 0; a < 3; ++a) {
-      lo[a] = std::min(lo[a], p[a]);
-      hi[a] = std::max(hi[a], p[a]);
-    }
-  }
-  void add(const BvhBox& b) {  // not its corners: an empty box has infinite ones
-    for (int a = 0; a < 3; ++a) {
-      lo[a] = std::min(lo[a], b.lo[a]);
-      hi[a] = std::max(hi[a], b.hi[a]);
-    }
-  }
-  double area() const {
-    if (!(lo[0] <= hi[0])) return 0;
-    const double x = double(hi[0]) - lo[0], y = double(hi[1]) - lo[1], z = double(hi[2]) - lo[2];
-    return 2 * (x * y + y * z + z * x);
-  }
-};
-
-struct Split {
-  int axis = -1;
-  int bin = 0;
-  double cost = std::numeric_limits<double>::infinity();
-};
+using Nodes = std::vector<BinaryNode>;
 
 class Builder {
  public:
-  Builder(const std::vector<BvhBox>& boxes, std::uint32_t leaf_size) : leaf_size_(leaf_size), boxes_(boxes) {
-    tree_.order.resize(boxes.size());
-    std::iota(tree_.order.begin(), tree_.order.end(), 0u);
-    if (!boxes.empty()) build(0, static_cast<std::uint32_t>(boxes.size()), 0);
+  Builder(const std::vector<BvhBox>& boxes, int leaf_size, int rule)
+      : leaf_size_(static_cast<std::uint32_t>(leaf_size)), rule_(rule), split_(split_rule(rule)) {
+    refs_.reserve(boxes.size());
+    for (const BvhBox& box : boxes) {
+      refs_.push_back({box, static_cast<std::uint32_t>(refs_.size())});
+      whole_.add(box);
+    }
   }
-  BinaryBvh take() { return std::move(tree_); }
+
+  BinaryBvh run() {
+    BinaryBvh tree;
+    if (!refs_.empty()) tree.nodes = build(0, static_cast<std::uint32_t>(refs_.size()), 0);
+    tree.order.reserve(refs_.size());
+    for (const BoxRef& ref : refs_) tree.order.push_back(ref.index);
+    return tree;
+  }
 
  private:
-  double center(std::uint32_t i, int axis) const { return 0.5 * (double(boxes_[i].lo[axis]) + boxes_[i].hi[axis]); }
-
-  std::int32_t build(std::uint32_t first, std::uint32_t count, int depth) {
-    const auto index = static_cast<std::int32_t>(tree_.nodes.size());
-    tree_.nodes.emplace_back();
-    Box box, centers;
-    for (std::uint32_t k = first; k < first + count; ++k) {
-      const std::uint32_t i = tree_.order[k];
-      box.add(boxes_[i]);
-      const float c[3] = {float(center(i, 0)), float(center(i, 1)), float(center(i, 2))};
-      centers.add(c);
+  BoxRange range_of(std::uint32_t first, std::uint32_t count) {
+    BoxRange range{refs_.data() + first, count, {}, {}, leaf_size_};
+    for (const BoxRef* r = range.first; r != range.first + count; ++r) {
+      const float middle[3] = {r->middle(0), r->middle(1), r->middle(2)};
+      range.box.add(r->box);
+      range.middles.add(middle);
     }
-    BinaryNode node;
+    return range;
+  }
+
+  // The node of a range; *left_count: of its first part, 0 for a leaf.
+  BinaryNode node_of(std::uint32_t first, std::uint32_t count, int depth, std::uint32_t* left_count) {
+    const BoxRange range = range_of(first, count);
+    const Box& box = rule_ == BVH_LIST ? whole_ : range.box;  // a list leaves nothing out
+    BinaryNode node{};
     std::copy(box.lo, box.lo + 3, node.lo);
     std::copy(box.hi, box.hi + 3, node.hi);
     node.first = first;
     node.count = count;
-    if (count > leaf_size_) {
-      const std::uint32_t left_count = partition(first, count, centers, depth);
-      node.left = build(first, left_count, depth + 1);
-      node.right = build(first + left_count, count - left_count, depth + 1);
+    *left_count = count > leaf_size_ && depth < RULE_DEPTH_MAX ? split_(range) : 0;
+    if (count > leaf_size_ && *left_count == 0) *left_count = count / 2;
+    return node;
+  }
+
+  void build_into(Nodes& nodes, std::uint32_t first, std::uint32_t count, int depth) {
+    const std::size_t at = nodes.size();
+    std::uint32_t left_count = 0;
+    nodes.push_back(node_of(first, count, depth, &left_count));
+    nodes[at].left = nodes[at].right = -1;
+    if (left_count == 0) return;
+    nodes[at].left = static_cast<std::int32_t>(nodes.size());
+    build_into(nodes, first, left_count, depth + 1);
+    nodes[at].right = static_cast<std::int32_t>(nodes.size());
+    build_into(nodes, first + left_count, count - left_count, depth + 1);
+  }
+
+  static std::int32_t nodes_append(Nodes& nodes, const Nodes& more) {
+    const auto offset = static_cast<std::int32_t>(nodes.size());
+    for (BinaryNode node : more) {
+      if (node.left >= 0) {
+        node.left += offset;
+        node.right += offset;
+      }
+      nodes.push_back(node);
     }
-    tree_.nodes[index] = node;
-    return index;
+    return offset;
   }
 
-  int bin_of(std::uint32_t i, int axis, const Box& centers) const {
-    const double extent = double(centers.hi[axis]) - centers.lo[axis];
-    return std::clamp(int(BINS * (center(i, axis) - centers.lo[axis]) / extent), 0, BINS - 1);
-  }
-
-  Split split_find(std::uint32_t first, std::uint32_t count, const Box& centers) const {
-    Split best;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!(centers.hi[axis] > centers.lo[axis])) continue;
-      std::array<Box, BINS> boxes;
-      std::array<std::uint32_t, BINS> counts{};
-      for (std::uint32_t k = first; k < first + count; ++k) {
-        const int bin = bin_of(tree_.order[k], axis, centers);
-        boxes[bin].add(boxes_[tree_.order[k]]);
-        ++counts[bin];
-      }
-      std::array<double, BINS> right_cost{};
-      Box right;
-      std::uint32_t n = 0;
-      for (int bin = BINS - 1; bin > 0; --bin) {
-        right.add(boxes[bin]);
-        n += counts[bin];
-        right_cost[bin] = right.area() * n;
-      }
-      Box left;
-      n = 0;
-      for (int bin = 0; bin + 1 < BINS; ++bin) {
-        left.add(boxes[bin]);
-        n += counts[bin];
-        const double cost = left.area() * n + right_cost[bin + 1];
-        if (n > 0 && n < count && cost < best.cost) best = {axis, bin, cost};
-      }
+  // The same nodes in the same order, however many are built at a time.
+  Nodes build(std::uint32_t first, std::uint32_t count, int depth) {
+    Nodes nodes;
+    if (depth >= PARALLEL_DEPTH || count < PARALLEL_LEAST) {
+      build_into(nodes, first, count, depth);
+      return nodes;
     }
-    return best;
-  }
-
-  // Reorders the range and returns the size of its first part, between 1 and count - 1.
-  std::uint32_t partition(std::uint32_t first, std::uint32_t count, const Box& centers, int depth) {
-    const Split split = depth < SAH_DEPTH_MAX ? split_find(first, count, centers) : Split{};
-    if (split.axis < 0) return count / 2;
-    const auto begin = tree_.order.begin() + first;
-    const auto middle = std::stable_partition(
-        begin, begin + count, [&](std::uint32_t i) { return bin_of(i, split.axis, centers) <= split.bin; });
-    return static_cast<std::uint32_t>(middle - begin);
+    std::uint32_t left_count = 0;
+    nodes.push_back(node_of(first, count, depth, &left_count));
+    std::future<Nodes> right =
+        std::async(std::launch::async, &Builder::build, this, first + left_count, count - left_count, depth + 1);
+    nodes[0].left = nodes_append(nodes, build(first, left_count, depth + 1));
+    nodes[0].right = nodes_append(nodes, right.get());
+    return nodes;
   }
 
   std::uint32_t leaf_size_;
-  const std::vector<BvhBox>& boxes_;
-  BinaryBvh tree_;
+  int rule_;
+  SplitRule split_;
+  Box whole_;
+  std::vector<BoxRef> refs_;
 };
 
 }  // namespace
@@ -138,8 +112,8 @@ float BinaryNode::area() const {
   return 2 * (x * y + y * z + z * x);
 }
 
-BinaryBvh bvh_build_binary(const std::vector<BvhBox>& boxes, int leaf_size) {
-  return Builder(boxes, static_cast<std::uint32_t>(leaf_size)).take();
+BinaryBvh bvh_build_binary(const std::vector<BvhBox>& boxes, int leaf_size, int rule) {
+  return Builder(boxes, leaf_size, rule).run();
 }
 
 }  // namespace brume

@@ -48,21 +48,21 @@ int bvh_collapse(FlatBvh& bvh, const BinaryBvh& tree, const std::vector<Triangle
   });
 }
 
-int bvh_append(FlatBvh& bvh, const std::vector<Triangle>& triangles, std::size_t first, int width) {
+int bvh_append(FlatBvh& bvh, const std::vector<Triangle>& triangles, std::size_t first, int width, int rule) {
   std::vector<BvhBox> boxes(triangles.size() - first);
   std::transform(triangles.begin() + static_cast<std::ptrdiff_t>(first), triangles.end(), boxes.begin(), box_of);
-  return bvh_collapse(bvh, bvh_build_binary(boxes, width), triangles, first, width);
+  return bvh_collapse(bvh, bvh_build_binary(boxes, width, rule), triangles, first, width);
 }
 
 int bvh_append_boxes(FlatBvh& bvh, const std::vector<BvhBox>& boxes, int width) {
-  const BinaryBvh tree = bvh_build_binary(boxes, 1);
+  const BinaryBvh tree = bvh_build_binary(boxes, 1, BVH_SAH);
   return bvh_collapse(bvh, tree, width,
                       [&](const BinaryNode& leaf) { return ~static_cast<std::int32_t>(tree.order[leaf.first]); });
 }
 
-FlatBvh bvh_build(const std::vector<Triangle>& triangles, int width) {
+FlatBvh bvh_build(const std::vector<Triangle>& triangles, int width, int rule) {
   FlatBvh bvh;
-  if (!triangles.empty()) bvh_append(bvh, triangles, 0, width);
+  if (!triangles.empty()) bvh_append(bvh, triangles, 0, width, rule);
   return bvh;
 }
 

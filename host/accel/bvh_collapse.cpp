@@ -1,4 +1,5 @@
-// Binary → wide: a node takes in its largest child until it has `width` of them [Wald08]. Every child but one waits on the traversal's stack: where a deep tree would overflow it, nodes take in
+// Binary → wide: of all ways to take nodes together in wide ones, that which rays pay the least for, from the leaves up
+// [Ylitie17]. Every child but one waits on the traversal's stack: where a deep tree would overflow it, nodes take in
 // fewer.
 #include <algorithm>
 #include <limits>
@@ -19,6 +20,7 @@ class Collapse {
 
   std::int32_t run() {
     heights_find();
+    costs_find();
     const std::int32_t root = node_add(0);
     if (stack_need_ > BVH_STACK)
       throw RuntimeError("the BVH needs a traversal stack of " + std::to_string(stack_need_) +
@@ -40,22 +42,61 @@ class Collapse {
     return std::clamp(BVH_STACK - pending - (heights_[root] - 1), 2, width_);
   }
 
-  std::vector<std::int32_t> children_open(std::int32_t root, int pending) const {
-    std::vector<std::int32_t> open{root};
-    if (tree_.nodes[root].left < 0) return open;
-    const int most = children_max(root, pending);
-    while (static_cast<int>(open.size()) < most) {
-      std::size_t largest = open.size();
-      for (std::size_t i = 0; i < open.size(); ++i)
-        if (tree_.nodes[open[i]].left >= 0 &&
-            (largest == open.size() || tree_.nodes[open[i]].area() > tree_.nodes[open[largest]].area()))
-          largest = i;
-      if (largest == open.size()) break;
-      const std::int32_t node = open[largest];
-      open[largest] = tree_.nodes[node].left;
-      open.push_back(tree_.nodes[node].right);
+  // cost(node, k): of what lies below, as at most k children of a wide node; a child is a leaf, which costs nothing
+  // here, or a wide node itself, which every ray through it pays for once.
+  float& cost(std::size_t node, int k) { return costs_[node * static_cast<std::size_t>(width_) + k - 1]; }
+
+  // How many of k children the left part takes at best; 0: fewer than k cost as little.
+  int left_share(const BinaryNode& node, int k, float least, float& best) {
+    int share = 0;
+    best = least;
+    for (int left = 1; left < k; ++left) {
+      const float both = cost(node.left, left) + cost(node.right, k - left);
+      if (both < best) {
+        best = both;
+        share = left;
+      }
     }
-    return open;
+    return share;
+  }
+
+  void costs_find() {
+    costs_.assign(tree_.nodes.size() * static_cast<std::size_t>(width_), 0.0f);
+    for (std::size_t i = tree_.nodes.size(); i-- > 0;) {
+      const BinaryNode& node = tree_.nodes[i];
+      if (node.left < 0) continue;
+      float opened = 0;
+      left_share(node, width_, std::numeric_limits<float>::infinity(), opened);
+      cost(i, 1) = node.area() + opened;
+      for (int k = 2; k <= width_; ++k) left_share(node, k, cost(i, k - 1), cost(i, k));
+    }
+  }
+
+  // The children of a wide node below `node`, at most k of them.
+  void children_add(std::int32_t number, int k, std::vector<std::int32_t>& children) {
+    const BinaryNode& node = tree_.nodes[number];
+    float best = 0;
+    while (k > 1 && node.left >= 0) {
+      if (const int left = left_share(node, k, cost(number, k - 1), best)) {
+        children_add(node.left, left, children);
+        children_add(node.right, k - left, children);
+        return;
+      }
+      --k;
+    }
+    children.push_back(number);
+  }
+
+  std::vector<std::int32_t> children_of(std::int32_t root, int pending) {
+    const BinaryNode& node = tree_.nodes[root];
+    if (node.left < 0) return {root};
+    std::vector<std::int32_t> children;
+    float best = 0;
+    const int most = children_max(root, pending);
+    const int left = left_share(node, most, std::numeric_limits<float>::infinity(), best);
+    children_add(node.left, left, children);
+    children_add(node.right, most - left, children);
+    return children;
   }
 
   // Appends the wide node under a binary one and returns its number. `pending` counts entries that may wait on the
@@ -66,7 +107,7 @@ class Collapse {
     const float inf = std::numeric_limits<float>::infinity(), absent = bits_as_float(BVH_ABSENT);
     for (int run = 0; run < 7; ++run)
       out_.nodes.insert(out_.nodes.end(), width_, run < 3 ? inf : run < 6 ? -inf : absent);
-    const std::vector<std::int32_t> children = children_open(root, pending);
+    const std::vector<std::int32_t> children = children_of(root, pending);
     const int waiting = pending + static_cast<int>(children.size()) - 1;  // one child is popped, the others wait
     stack_need_ = std::max(stack_need_, waiting + 1);
     for (std::size_t lane = 0; lane < children.size(); ++lane) {
@@ -87,6 +128,7 @@ class Collapse {
   int width_;
   const LeafLink& leaf_;
   int stack_need_ = 0;
+  std::vector<float> costs_;
   std::vector<int> heights_;  // of every binary node: levels below it
 };
 

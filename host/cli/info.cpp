@@ -6,6 +6,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "accel/bvh.hpp"
 #include "base/json_text.hpp"
 #include "base/out_of_memory.hpp"
 #include "base/text_printable.hpp"
@@ -16,6 +17,7 @@
 #include "flat/mesh_outline.hpp"
 #include "mesh/mesh.hpp"
 #include "plan/planned_scene.hpp"
+#include "render/renderer.hpp"
 #include "scene/families.hpp"
 #include "scene/scene_reader.hpp"
 #include "volume/volume_file.hpp"
@@ -130,9 +132,22 @@ Json medium_info(const FlatScene& flat, const Medium& m) {
           {"bricks", {{"all", count}, {"stored", stored}, {"empty", count - stored}, {"constant", constant}}}};
 }
 
+// The tree above the triangles, where there are any; SAH cost: nodes that a ray through its box opens and half of the
+// blocks that it looks at. As wide as on a CPU.
+Json bvh_info(const SceneDesc& desc, const FlatScene& flat) {
+  if (flat.triangles.empty()) return nullptr;
+  const BvhMeasure measure = bvh_measure({flat.bvh_nodes, flat.bvh_blocks}, 0, flat.bvh_width);
+  const double bytes = static_cast<double>((flat.bvh_nodes.size() + flat.bvh_blocks.size()) * sizeof(float));
+  return {{"rule", family_name(bvh_family(), desc.render.bvh)},
+          {"width", flat.bvh_width},
+          {"sah_cost", measure.sah_cost},
+          {"depth", measure.depth},
+          {"bytes_a_triangle", bytes / static_cast<double>(flat.triangles.size())}};
+}
+
 Json info_scene(const Path& file) {
   const SceneDesc desc = scene_read(file, {});
-  const PlannedScene flat = flatten(desc, {});
+  const PlannedScene flat = flatten(desc, {bvh_width_for(8), {}});
   Json media = Json::array();
   for (std::size_t i = 0; i < flat.media.size(); ++i) media.push_back(medium_info(flat, flat.medium(i)));
   return {{"file", file.string()},
@@ -145,6 +160,7 @@ Json info_scene(const Path& file) {
           {"shapes", flat.shapes.size()},
           {"triangles", flat.triangles.size()},
           {"instances", flat.instances.size()},
+          {"bvh", bvh_info(desc, flat)},
           {"media", media},
           {"bytes",
            {{"voxels", flat.stored ? flat.stored->packed.size() : flat.voxels.size() * sizeof(float)},

@@ -56,7 +56,7 @@ struct FlatScene {
   std::vector<FlatMesh> meshes;     // with instances
   std::vector<Instance> instances;
   int instance_root = -1;  // of the BVH over them; -1: none
-  int bvh_width = 4;
+  int bvh_width = 4, bvh_rule = BVH_SAH;
   std::vector<float> bvh_nodes;  // layout: shared/bvh.h
   std::vector<float> bvh_blocks;
 

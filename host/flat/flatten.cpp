@@ -40,6 +40,7 @@ FlatScene scene_flatten(const SceneDesc& given, LoadedScene& loaded, int bvh_wid
   FlatScene scene;
   scene.name = desc.file.filename().string();
   scene.bvh_width = bvh_width;
+  scene.bvh_rule = desc.render.bvh;
 
   const std::vector<LoadedMedium> media = load_media(desc, loaded, scene.notes);
   LoadedShapes shapes = load_shapes(desc, loaded, scene.notes);

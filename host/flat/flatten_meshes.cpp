@@ -83,7 +83,7 @@ class MeshFlattener {
     const Space world{scene_.origin, scene_.unit};
     std::size_t i = 0;
     for (; i < shapes_.meshes.size() && shapes_.meshes[i].places.empty(); ++i) triangles_add(i, world);
-    if (!scene_.triangles.empty()) bvh_append(bvh_, scene_.triangles, 0, scene_.bvh_width);
+    if (!scene_.triangles.empty()) bvh_append(bvh_, scene_.triangles, 0, scene_.bvh_width, scene_.bvh_rule);
     for (; i < shapes_.meshes.size(); ++i) instances_add(i);
     if (!boxes_.empty()) scene_.instance_root = bvh_append_boxes(bvh_, boxes_, scene_.bvh_width);
     scene_.bvh_nodes = std::move(bvh_.nodes);
@@ -117,7 +117,8 @@ class MeshFlattener {
     triangles_add(i, space);
     const auto count = static_cast<std::int32_t>(scene_.triangles.size()) - first;
     if (count == 0) return;
-    const int root = bvh_append(bvh_, scene_.triangles, static_cast<std::size_t>(first), scene_.bvh_width);
+    const int root =
+        bvh_append(bvh_, scene_.triangles, static_cast<std::size_t>(first), scene_.bvh_width, scene_.bvh_rule);
     for (const MeshPlace& place : mesh.places)
       instance_add(place, flat_from(scene_, place.world_from_mesh * space.from()), root);
     scene_.meshes.push_back({first, count});

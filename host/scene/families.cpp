@@ -22,6 +22,9 @@ FAMILY(light_family, BRUME_LIGHTS)
 #define ROW(id, name, help) {FALLOFF_##id, name, help},
 FAMILY(falloff_family, BRUME_FALLOFFS)
 #undef ROW
+#define ROW(id, name, help) {BVH_##id, #name, help},
+FAMILY(bvh_family, BRUME_BVH_RULES)
+#undef ROW
 #define ROW(id, name, help) {INTEGRATOR_##id, name, help},
 FAMILY(integrator_family, BRUME_INTEGRATORS)
 #undef ROW

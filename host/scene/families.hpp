@@ -6,6 +6,7 @@
 namespace brume {
 
 const Family& camera_family();
+const Family& bvh_family();
 const Family& light_family();
 const Family& falloff_family();
 const Family& integrator_family();

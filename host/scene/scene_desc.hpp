@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "shared/bvh.h"
 #include "shared/camera.h"
 #include "shared/frame.h"
 #include "shared/light.h"
@@ -242,6 +243,8 @@ enum ErrorMetric {
       METRIC_COUNT
 };
 
+inline constexpr int LEVEL_MAX = 8;
+
 struct RenderDesc {
   int integrator = INTEGRATOR_WHITTED;
   int directions = 64;             // of ambient occlusion, as the next two
@@ -253,6 +256,7 @@ struct RenderDesc {
   int in_scattering = IN_SCATTERING_AUTO;
   int shadow = SHADOW_AUTO;
   int storage = STORAGE_F32;
+  int level = 0;                       // of detail: media with voxels averaged over 2^level of them along each axis
   int light_grid = 64;                 // shadow grid: cells of the light grid along the medium's longest side
   int light_picks = LIGHT_PICKS_AUTO;  // how many lights a point asks; 0: all
   int light_samples = 1;               // points on each surface that emits, where all lights are asked
@@ -261,6 +265,7 @@ struct RenderDesc {
   int max_depth = 5;
   double cutoff = 1e-5;                // reflected and refracted rays that weigh less are dropped
   std::optional<int> shadow_of_glass;  // opaque, but clear where a liquid is a surface
+  int bvh = BVH_SAH;
   int seed = 0;
   std::optional<double> max_error;    // settings of the media are chosen that reach it soonest, in error_metric,
   std::optional<double> time_budget;  // or that come closest in so many seconds; never both

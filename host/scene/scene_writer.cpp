@@ -183,9 +183,11 @@ Json render_json(const RenderDesc& r) {
             {"light_samples", r.light_samples},
             {"light_points", family_name(light_points_family(), r.light_points)},
             {"storage", family_name(storage_family(), r.storage)},
+            {"level", r.level},
             {"roulette", r.roulette},
             {"max_depth", r.max_depth},
             {"cutoff", number(r.cutoff)},
+            {"bvh", family_name(bvh_family(), r.bvh)},
             {"seed", r.seed}};
   if (r.distance) json["distance"] = number(*r.distance);
   if (r.light_picks != LIGHT_PICKS_AUTO) json["light_picks"] = r.light_picks;

@@ -1,4 +1,4 @@
-// Wide BVH: every node holds `width` child boxes side by side (SoA), which are tested at once; so do the blocks of
+// Wide BVH: every node holds `width` child boxes side by side (SoA), which are tested at once [Wald08]; so do the blocks of
 // triangles in leaves. Buffers hold plain floats so that no struct depends on the width. Absolute within the buffers:
 //   nodes:  per node 7 runs of width: lo_x lo_y lo_z hi_x hi_y hi_z link
 //           link as int: >= 0: inner node; < 0: leaf, ~link = first block * 16 + blocks
@@ -8,6 +8,20 @@
 #ifndef BRUME_SHARED_BVH_H
 #define BRUME_SHARED_BVH_H
 #include "shared/platform.h"
+
+// ROW(ID, name; host: split_NAME, help): how ranges of triangles are parted.
+#define BRUME_BVH_RULES(ROW)                                   \
+  ROW(LIST, list, "not at all: every triangle is tried")       \
+  ROW(MIDPOINT, midpoint, "in the middle of the longest axis") \
+  ROW(SAH, sah, "where rays will meet the fewest triangles, by surface areas")
+BRUME_SHARED_BEGIN
+enum BvhRule {
+#define ROW(id, name, help) BVH_##id,
+  BRUME_BVH_RULES(ROW)
+#undef ROW
+      BVH_RULES
+};
+BRUME_SHARED_END
 
 #define BVH_NODE_FLOATS(width) (7 * (width))
 #define BVH_BLOCK_FLOATS(width) (10 * (width))

@@ -213,13 +213,14 @@ class Bvh : public testing::TestWithParam<int> {};
 
 TEST_P(Bvh, HoldsEveryTriangleOnceWithinItsBoxes) {
   for (const Case& c : CASES)
-    for (const int count : {1, 2, 5, 200, 2000}) {
-      SCOPED_TRACE(std::string(c.name) + " " + std::to_string(count));
-      const Soup soup = c.make(count);
-      const FlatBvh bvh = bvh_build(soup, GetParam());
-      Walk(bvh, soup, GetParam()).run();
-      if (HasFailure()) return;
-    }
+    for (const int count : {1, 2, 5, 200, 2000})
+      for (int rule = 0; rule < BVH_RULES; ++rule) {
+        SCOPED_TRACE(std::string(c.name) + " " + std::to_string(count) + " by rule " + std::to_string(rule));
+        const Soup soup = c.make(count);
+        const FlatBvh bvh = bvh_build(soup, GetParam(), rule);
+        Walk(bvh, soup, GetParam()).run();
+        if (HasFailure()) return;
+      }
 }
 
 TEST_P(Bvh, IsEmptyWithoutTriangles) {
@@ -227,8 +228,20 @@ TEST_P(Bvh, IsEmptyWithoutTriangles) {
   EXPECT_TRUE(bvh.nodes.empty() && bvh.blocks.empty());
 }
 
+// Equal middles, which no rule parts: halved.
+TEST_P(Bvh, EndsForAMillionOfTheSame) {
+  const Soup soup(1000000, triangle({1, 2, 3}, {2, 2, 3}, {1, 3, 3}));
+  for (int rule = 0; rule < BVH_RULES; ++rule) {
+    const FlatBvh bvh = bvh_build(soup, GetParam(), rule);
+    EXPECT_LE(bvh_measure(bvh, 0, GetParam()).depth, 20);
+    const std::vector<int> ids = last_runs(bvh.blocks, 10, GetParam());
+    EXPECT_EQ(std::count_if(ids.begin(), ids.end(), [](int id) { return id >= 0; }), 1000000);
+  }
+}
+
+// Built on several threads.
 TEST_P(Bvh, IsTheSameEveryTime) {
-  const Soup soup = random_soup(500, 3);
+  const Soup soup = random_soup(20000, 3);
   const FlatBvh a = bvh_build(soup, GetParam()), b = bvh_build(soup, GetParam());
   EXPECT_TRUE(same_bits(a.nodes, b.nodes));
   EXPECT_TRUE(same_bits(a.blocks, b.blocks));
@@ -306,6 +319,25 @@ TEST(BinaryBvh, LeavesPartitionTheTriangles) {
     }
     EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<long>(soup.size()));
   }
+}
+
+// Two triangles side by side, each in its own box of half of all: the root and two blocks, seen by half of the rays each.
+TEST(BvhMeasure, CountsNodesAndBlocksByTheRaysThatMeetThem) {
+  Soup soup(8, triangle({0, 0, 0}, {1, 1, 1}, {0, 1, 0}));
+  for (int i = 0; i < 8; ++i) soup.push_back(triangle({1, 0, 0}, {2, 1, 1}, {1, 1, 0}));
+  const BvhMeasure measure = bvh_measure(bvh_build(soup, 8), 0, 8);
+  EXPECT_EQ(measure.depth, 1);
+  EXPECT_DOUBLE_EQ(measure.sah_cost, 1 + 2 * 0.5 * 3.0 / 5.0);  // areas: 6 of 10
+}
+
+// What rules are for: on the same soup the later rows of the table cost less.
+TEST(BvhMeasure, OrdersTheRules) {
+  const Soup soup = random_soup(5000, 4);
+  double cost[BVH_RULES];
+  for (int rule = 0; rule < BVH_RULES; ++rule) cost[rule] = bvh_measure(bvh_build(soup, 8, rule), 0, 8).sah_cost;
+  EXPECT_GT(cost[BVH_LIST], 300);  // half of its 625 blocks and more
+  EXPECT_LT(cost[BVH_MIDPOINT], cost[BVH_LIST] / 5);
+  EXPECT_LT(cost[BVH_SAH], cost[BVH_MIDPOINT]);
 }
 
 // Two clusters far apart: a builder that looks at areas parts them at the root.

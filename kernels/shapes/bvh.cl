@@ -40,8 +40,7 @@ static inline BoxRay box_ray(float3 origin, float3 dir) {
 }
 
 // Which of the boxes of a group are hit before t_max, and where they are entered.
-#define BOX_PLANE(r, plane, side, axis) \
-  mad_exact(plane, (BvhLanes)((r)->side.axis), (BvhLanes)((r)->side##_start.axis))
+#define BOX_PLANE(r, plane, side, axis) mad_exact(plane, (BvhLanes)((r)->side.axis), (BvhLanes)((r)->side##_start.axis))
 static inline BvhMask box_hits(const BoxRay* r, __global const float* node, float t_max, BvhLanes* enter) {
 #define PLANE(side, axis) BOX_PLANE(r, bvh_load(node + r->side##_##axis), side, axis)
   const BvhLanes first = fmax_ordered(PLANE(near, x), PLANE(near, y));

@@ -18,7 +18,7 @@
   STRUCT(Light, F(position) F(type) F(direction) F(falloff) F(intensity) F(outer) F(inner) F(exponent) F(primitive)    \
                     F(instance) F(point) F(points))                                                                    \
   STRUCT(LightGrid, F(grid_from_cell) F(cell_from_grid) F(nu) F(nv) F(nk) F(offset) F(slope_u) F(slope_v)              \
-                        F(column_step) F(from_first) F(first_u) F(first_v) F(columns_u) F(columns_v))                  \
+                        F(column_step) F(from_first) F(first_u) F(first_v) F(columns_u) F(columns_v) F(media) F(pad))                  \
   STRUCT(Material, F(diffuse) F(model) F(specular) F(shininess) F(ambient) F(texture) F(emission) F(ior) F(reflection) \
                        F(refraction) F(emission_texture) F(fresnel) F(absorption))                                     \
   STRUCT(Texture, F(type) F(width) F(height) F(offset) F(color_a) F(scale) F(color_b) F(wrap) F(uv_scale) F(uv_offset) \
@@ -27,7 +27,7 @@
   STRUCT(Isosurface, F(cell_from_world) F(lo) F(iso) F(hi) F(brick_offset) F(cells_x) F(cells_y) F(cells_z)            \
                          F(brick_nx) F(brick_ny) F(brick_nz) F(masks))                                                 \
   STRUCT(Triangle, F(p) F(n) F(uv) F(material) F(shading))                                                             \
-  STRUCT(Instance, F(mesh_from_world) F(world_from_mesh) F(root) F(mesh) F(material) F(reach) F(lo) F(hi))                         \
+  STRUCT(Instance, F(mesh_from_world) F(world_from_mesh) F(root) F(mesh) F(material) F(reach) F(lo) F(hi))             \
   STRUCT(BrickGrid, F(brick_offset) F(cells_x) F(cells_y) F(cells_z) F(brick_nx) F(brick_ny) F(brick_nz))              \
   STRUCT(PlacedGrid,                                                                                                   \
          F(cell_from_world) F(world_from_cell) F(lo) F(grid) F(hi) F(interpolation) F(region) F(constant_density))     \

@@ -82,10 +82,10 @@ BRUME_LAYOUT(Triangle, 104);
 // A mesh that is held once where it stands in one of its places.
 typedef struct {
   Affine mesh_from_world, world_from_mesh;
-  int root;      // of the mesh's BVH
-  int mesh;      // its number in FlatScene::meshes
-  int material;  // instead of those of the triangles; -1: theirs
-  float reach;   // how large coordinates get on the way there and back, in the world: PICTURE, Hits
+  int root;        // of the mesh's BVH
+  int mesh;        // its number in FlatScene::meshes
+  int material;    // instead of those of the triangles; -1: theirs
+  float reach;     // how large coordinates get on the way there and back, in the world: PICTURE, Hits
   Packed3 lo, hi;  // a box about it in the world, wider than what rounding of that way comes to
 } Instance;
 BRUME_LAYOUT(Instance, 136);

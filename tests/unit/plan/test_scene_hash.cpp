@@ -50,7 +50,9 @@ TEST(SceneHash, EveryPartOfAPictureCounts) {
       [](PlannedScene& s) { s.shapes[0].data[3] = 2; },
       [](PlannedScene& s) { s.triangles[0].p[1].x = -1; },
       [](PlannedScene& s) { s.triangles.push_back(s.triangles[0]); },
-      [](PlannedScene& s) { s.meshes.push_back({1, 1}); },
+      [](PlannedScene& s) {
+        s.meshes.push_back({1, 1});
+      },
       [](PlannedScene& s) { s.instances.push_back({}); },
       [](PlannedScene& s) { s.media[0].sigma_s.y = 1; },
       [](PlannedScene& s) { s.bricks[0] = -1; },

@@ -1,6 +1,7 @@
 // Passes of whole renders.
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include "base/interrupt.hpp"
 #include "base/number_text.hpp"
@@ -104,6 +105,42 @@ Renders sphere_renders(const RooflineBench& bench, double reflection, SphereScen
   return renders_of(bench, scene.flat, plan_render(scene.desc, scene.flat, {}));
 }
 
+// A ball of 5 800 triangles that fills the picture, or so many on a floor that they fill it from above the first rows to
+// where they are smaller than pixels.
+constexpr int BALL_RINGS = 54;
+std::string balls_scene(const std::string& instances, int size) {
+  const std::string side = std::to_string(size), vfov = instances.empty() ? "11" : "45";
+  return R"({"camera": {"eye": [0, 5, 9], "target": [0, 0, 0], "vfov": )" + vfov + R"(}, "film": {"size": [)" + side +
+         ", " + side + R"(]}, "lights": [{"type": "directional", "direction": [-1, -2, -1]}],
+    "shapes": [{"type": "mesh", "file": "ball.obj")" +
+         instances + R"(}, {"type": "plane", "point": [0, -1, 0]}]})";
+}
+
+void balls_write(int count, const std::filesystem::path& file) {
+  std::ofstream out(file);
+  const int side = static_cast<int>(std::ceil(std::sqrt(count)));
+  for (int i = 0; i < count; ++i) {
+    const double x = 2.2 * (i % side - side / 2), z = -2.2 * (i / side), turn = i;
+    out << std::cos(turn) << " 0 " << std::sin(turn) << ' ' << x << " 0 1 0 0 " << -std::sin(turn) << " 0 "
+        << std::cos(turn) << ' ' << z << '\n';
+  }
+}
+
+void add_instances(const RooflineBench& bench, const char* name, int count) {
+  std::string instances;
+  if (count > 1) {
+    balls_write(count, bench.folder / "balls.txt");
+    instances = R"(, "instances": "balls.txt")";
+  }
+  const SceneDesc desc = scene_read_text(balls_scene(instances, bench.options.size), bench.folder / "balls.json", {});
+  LoadedScene loaded;
+  const FlatScene flat = scene_flatten(desc, loaded, bvh_width_for(bench.lanes));
+  const Renders renders = renders_of(bench, flat, plan_render(desc, flat, {}));
+  bench.add(name, "ray", renders.stats[0].primary_rays + renders.stats[0].shadow_rays,
+            seconds_of(renders, {"primary_rays", "shadow_transmittance"}),
+            cost_of_ray("camera ray", flat.triangles.size(), flat.bvh_width));
+}
+
 }  // namespace
 
 void roofline_lookups(const RooflineBench& bench) {
@@ -126,6 +163,9 @@ void roofline_rays(const RooflineBench& bench) {
   // Among them one in eight is a camera ray.
   bench.add("rays/secondary", "ray", mirrored.stats[0].primary_rays + mirrored.stats[0].secondary_rays,
             seconds_of(mirrored, {"primary_rays", "secondary_rays"}), cost("secondary ray"));
+  bumpy_sphere_write(BALL_RINGS, bench.folder / "ball.obj");
+  add_instances(bench, "rays/one_mesh", 1);
+  add_instances(bench, "rays/100000_instances", 100000);
 }
 
 void roofline_picture(const RooflineBench& bench) {

@@ -21,6 +21,7 @@ struct SceneRow {
 constexpr SceneRow SCENES[] = {{"dam_break_local", "dam_break_local", ""},
                                {"dam_break_local/water_alone", "dam_break_local", "/shapes=[]"},
                                {"dam_break", "dam_break", ""},
+                               {"instances", "instances", ""},
                                {"whitted", "whitted", ""}};
 constexpr double FINER = 16;  // steps of the picture that the error is against; surfaces have none, nor an error
 

@@ -193,13 +193,21 @@ HitD hit_or_miss(const HitD& nearest) { return nearest.primitive == PRIMITIVE_NO
 TriangleBounds::TriangleBounds(const PlannedScene& scene) : world(runs_of(scene, 0, scene.world_triangles())) {
   for (const FlatMesh& mesh : scene.meshes)
     meshes.push_back(runs_of(scene, static_cast<std::size_t>(mesh.first), static_cast<std::size_t>(mesh.count)));
+  std::vector<Run> whole;  // each mesh
+  for (const std::vector<Run>& runs : meshes) {
+    whole.push_back({dvec3(INFINITE), dvec3(-INFINITE), 0, 0});
+    for (const Run& run : runs) {
+      run_add(whole.back(), run.lo);
+      run_add(whole.back(), run.hi);
+    }
+  }
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const Run& mesh = whole[static_cast<std::size_t>(scene.instances[i].mesh)];
     Run all{dvec3(INFINITE), dvec3(-INFINITE), i, i + 1};
-    for (const Run& run : meshes[static_cast<std::size_t>(scene.instances[i].mesh)])
-      for (int c = 0; c < 8; ++c)
-        run_add(all,
-                affine_point(scene.instances[i].world_from_mesh,
-                             {(c & 1 ? run.hi : run.lo).x, (c & 2 ? run.hi : run.lo).y, (c & 4 ? run.hi : run.lo).z}));
+    for (int c = 0; c < 8; ++c)
+      run_add(all, affine_point(
+                       scene.instances[i].world_from_mesh,
+                       {(c & 1 ? mesh.hi : mesh.lo).x, (c & 2 ? mesh.hi : mesh.lo).y, (c & 4 ? mesh.hi : mesh.lo).z}));
     run_widen(all);
     instances.push_back(all);
   }

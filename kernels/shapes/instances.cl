@@ -1,5 +1,5 @@
 // Meshes that are held once and stand in several places: a BVH over the boxes of their instances, and below each of its
-// leaves that of the mesh, for the ray taken to the space of the mesh.
+// leaves that of the mesh, for the ray taken to the space of the mesh [Wald03].
 #ifndef BRUME_SHAPES_INSTANCES_CL
 #define BRUME_SHAPES_INSTANCES_CL
 #include "shapes/bvh.cl"

@@ -1,5 +1,5 @@
-// Binary BVH by a rule of bvh_split.hpp. Where the rule finds no place, or the tree gets deep, the range is halved as it
-// stands: the depth stays bounded whatever the boxes are. Large ranges are built side by side.
+// Binary BVH by a rule of bvh_split.hpp. Where the rule finds no place, or the tree gets deep, the range is halved as
+// it stands: the depth stays bounded whatever the boxes are. Large ranges are built side by side.
 #include <future>
 
 #include "accel/bvh_split.hpp"

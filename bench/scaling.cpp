@@ -67,7 +67,7 @@ const std::vector<AxisRow>& axis_rows() {
        {1, 2, 4, 8, 16},
        1,
        "each is walked once",
-       "each has a light grid of its own, and its points ask all",
+       "a light grid about turned boxes is larger than each",
        with(&Fog::voxels, 32, grid)},
       {"overlapping media, light traced",
        &Fog::media,

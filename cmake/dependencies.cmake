@@ -22,4 +22,6 @@ find_path(OPENVDB_MODULES FindOpenVDB.cmake
           DOC "Folder of FindOpenVDB.cmake")
 list(APPEND CMAKE_MODULE_PATH "${OPENVDB_MODULES}")
 find_package(OpenVDB REQUIRED)
+find_package(Blosc REQUIRED)
+find_package(ZLIB REQUIRED)
 list(REMOVE_ITEM CMAKE_MODULE_PATH "${OPENVDB_MODULES}")

@@ -19,7 +19,8 @@ double knob_of(const Knobs& knobs, const OrderExpected& expected) {
 }
 
 bool in_sweep(const Knobs& knobs, const OrderExpected& expected, int spp) {
-  const bool plain = knobs.light_grid == 0 && knobs.storage == STORAGE_F32 && knobs.rule == IN_SCATTERING_SEGMENT;
+  const bool plain =
+      knobs.light_grid == 0 && knobs.storage == STORAGE_F32 && knobs.rule == IN_SCATTERING_SEGMENT && knobs.level == 0;
   return plain && (turns_spp(expected) || knobs.spp == spp);
 }
 

@@ -56,7 +56,7 @@ ChartScene::ChartScene(const SceneDesc& desc, LoadedScene& loaded, Context& cont
 }
 
 ChartScene::Stage& ChartScene::stage(const SceneDesc& set) {
-  std::unique_ptr<Stage>& found = stages_[constant_media(set)];
+  std::unique_ptr<Stage>& found = stages_[{set.render.level, constant_media(set)}];
   if (found) return *found;
   auto made = std::make_unique<Stage>();
   static_cast<FlatScene&>(made->scene) = scene_flatten(set, loaded_, bvh_width_for(options_.lanes));
@@ -69,7 +69,7 @@ double ChartScene::cost(const Knobs& knobs) {
   const double pixels = double(desc_.film.size.x) * desc_.film.size.y, lights = double(desc_.lights.size());
   if (knobs.method == METHOD_NONE) return pixels * knobs.spp;
   const MethodRow row = method_row(knobs.method);
-  const double ray = lookups_of(row, knobs, std::max(limits_.cells, 1));
+  const double ray = lookups_of(row, knobs, std::max(limits_at(limits_, knobs.level).cells, 1));
   const bool traces = knobs.light_grid == 0 && row.rule != RULE_PRODUCT;
   const double grid = 4 * lights * std::pow(double(knobs.light_grid), 3);
   const double points = knobs.rule == IN_SCATTERING_GAUSS2 ? 2 : 1;

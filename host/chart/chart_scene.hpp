@@ -1,5 +1,5 @@
-// One loaded scene, rendered by any setting: its flat arrays are made and uploaded once for each way in which constant
-// densities are taken, as such or as voxels.
+// One loaded scene, rendered by any setting: its flat arrays are made and uploaded once for each level of detail and
+// each way in which constant densities are taken, as such or as voxels.
 #pragma once
 #include <array>
 #include <functional>
@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "chart/point.hpp"
@@ -74,8 +75,9 @@ class ChartScene {
   Context& context_;
   ChartOptions options_;
   KnobLimits limits_;
-  std::map<std::vector<bool>, std::unique_ptr<Stage>> stages_;  // by which media are taken as constant
-  std::map<std::string, double> build_seconds_;                 // by kernel options
+  // By level of detail and which media are taken as constant.
+  std::map<std::pair<int, std::vector<bool>>, std::unique_ptr<Stage>> stages_;
+  std::map<std::string, double> build_seconds_;  // by kernel options
 };
 
 }  // namespace brume

@@ -30,7 +30,7 @@ const Column COLUMNS[] = {
     {"method", [](const ChartPoint& p) -> Json { return knobs_method(p.knobs); }},
     {"step", [](const ChartPoint& p) { return p.knobs.step > 0 ? Json(p.knobs.step) : Json(); }},
     {"tolerance", [](const ChartPoint& p) { return p.knobs.tolerance > 0 ? Json(p.knobs.tolerance) : Json(); }},
-    {"level", [](const ChartPoint&) { return Json(); }},
+    {"level", [](const ChartPoint& p) { return p.knobs.level > 0 ? Json(p.knobs.level) : Json(); }},
     {"light_grid", [](const ChartPoint& p) { return p.knobs.light_grid > 0 ? Json(p.knobs.light_grid) : Json(); }},
     {"storage", [](const ChartPoint& p) { return has_media(p) ? text_of(storage_family(), p.knobs.storage) : Json(); }},
     {"rule",
@@ -101,6 +101,7 @@ ChartPoint point_read(const JsonValue& json) {
   p.knobs.step = number_or(json, "step", 0, Range::positive());
   p.knobs.tolerance = number_or(json, "tolerance", 0, Range::positive());
   p.knobs.light_grid = static_cast<int>(number_or(json, "light_grid", 0, Range::closed(1, 4096)));
+  if (json.has("level")) p.knobs.level = static_cast<int>(number_or(json, "level", 0, Range::closed(1, LEVEL_MAX)));
   p.knobs.storage = member_or(json, "storage", STORAGE_F32, storage_family());
   p.knobs.rule = member_or(json, "rule", IN_SCATTERING_SEGMENT, in_scattering_family());
   p.knobs.spp = json.get("spp").as_integer(1, MANY);

@@ -44,6 +44,7 @@ struct Sweep {
   Grids grids;
   Spps spps;
   int storage, rule;
+  int level = 0;
 };
 constexpr Sweep SWEEPS[] = {
     {any_method, ALL_STEPS, TRACED, SCENE_SPP, STORAGE_F32, IN_SCATTERING_SEGMENT},
@@ -54,7 +55,11 @@ constexpr Sweep SWEEPS[] = {
     {takes_rules, ALL_STEPS, TRACED, SCENE_SPP, STORAGE_F32, IN_SCATTERING_GAUSS2},
     {reads_voxels, CELL_STEP, ONE_GRID, SCENE_SPP, STORAGE_F16, IN_SCATTERING_SEGMENT},
     {reads_voxels, CELL_STEP, ONE_GRID, SCENE_SPP, STORAGE_U8, IN_SCATTERING_SEGMENT},
+    {reads_voxels, ALL_STEPS, TRACED, SCENE_SPP, STORAGE_F32, IN_SCATTERING_SEGMENT, LEVELS[0]},
+    {reads_voxels, ALL_STEPS, TRACED, SCENE_SPP, STORAGE_F32, IN_SCATTERING_SEGMENT, LEVELS[1]},
 };
+
+constexpr int LEVEL_CELLS = 16;  // fewer along the longest side say nothing of a volume
 
 int finest_step(const KnobLimits& limits) {
   if (limits.cells == 0) return FINEST_CONSTANT;
@@ -97,10 +102,11 @@ std::vector<Fineness> finenesses_of(const MethodRow& row, Steps steps, const Kno
   return list;
 }
 
-void sweep_add(const Sweep& sweep, int method, const KnobLimits& limits, int spp, std::set<std::string>& known,
+void sweep_add(const Sweep& sweep, int method, const KnobLimits& full, int spp, std::set<std::string>& known,
                std::vector<Knobs>& list) {
   const MethodRow row = method_row(method);
-  if (!sweep.fits(row)) return;
+  const KnobLimits limits = limits_at(full, sweep.level);
+  if (!sweep.fits(row) || (sweep.level > 0 && limits.cells < LEVEL_CELLS)) return;
   const std::vector<int> spps =
       sweep.spps == SCENE_SPP ? std::vector<int>{spp} : std::vector<int>(std::begin(SPPS), std::end(SPPS));
   // Of a scene without light grids storage is told by tracing.
@@ -108,7 +114,7 @@ void sweep_add(const Sweep& sweep, int method, const KnobLimits& limits, int spp
   for (const int grid : grids_of(stored && !limits.grids ? TRACED : sweep.grids, limits))
     for (const Fineness& fine : finenesses_of(row, sweep.steps, limits))
       for (const int samples : spps) {
-        const Knobs knobs{method, fine.step, grid, sweep.storage, sweep.rule, samples, fine.tolerance};
+        const Knobs knobs{method, fine.step, grid, sweep.storage, sweep.rule, samples, fine.tolerance, sweep.level};
         if (known.insert(knobs_id(knobs)).second) list.push_back(knobs);
       }
 }
@@ -124,6 +130,7 @@ std::string knobs_id(const Knobs& knobs) {
   if (knobs.method != METHOD_NONE) {
     if (knobs.step > 0) id += "-step" + number_text(knobs.step);
     if (knobs.tolerance > 0) id += "-tolerance" + number_text(knobs.tolerance);
+    if (knobs.level > 0) id += "-level" + std::to_string(knobs.level);
     id += knobs.light_grid > 0 ? "-grid" + std::to_string(knobs.light_grid) : "-trace";
     id += "-" + std::string(family_name(storage_family(), knobs.storage));
     if (!(knobs.tolerance > 0)) id += "-" + std::string(family_name(in_scattering_family(), knobs.rule));
@@ -142,6 +149,7 @@ SceneDesc knobs_apply(const SceneDesc& desc, const Knobs& knobs) {
   set.render.shadow = knobs.light_grid > 0 ? SHADOW_GRID : SHADOW_TRACE;
   if (knobs.light_grid > 0) set.render.light_grid = knobs.light_grid;
   set.render.storage = knobs.storage;
+  set.render.level = knobs.level;
   set.render.in_scattering = knobs.rule;
   return set;
 }
@@ -190,6 +198,11 @@ std::vector<Knobs> knobs_list(const std::vector<int>& methods, const KnobLimits&
   return list;
 }
 
+KnobLimits limits_at(KnobLimits limits, int level) {
+  for (int i = 0; i < level; ++i) limits.cells = (limits.cells + 1) / 2;
+  return limits;
+}
+
 std::vector<double> steps_halving(const KnobLimits& limits, int beyond) {
   std::vector<double> all;
   for (int k = COARSEST; k <= finest_step(limits) + beyond; ++k) all.push_back(std::exp2(-k));
@@ -206,6 +219,7 @@ SceneDesc exact_desc(const SceneDesc& desc, int spp) {
   exact.render.step = FINE_CONSTANT_STEP;
   exact.render.shadow = SHADOW_TRACE;
   exact.render.storage = STORAGE_F32;
+  exact.render.level = 0;
   exact.render.in_scattering = IN_SCATTERING_GAUSS2;
   exact.render.roulette = 0;
   if (exact.lights.size() <= LIGHTS_ALL) exact.render.light_picks = 0;

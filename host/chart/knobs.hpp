@@ -17,8 +17,10 @@ struct Knobs {
   int rule = IN_SCATTERING_SEGMENT;
   int spp = 1;
   double tolerance = 0;  // of adaptive; 0: it has none
+  int level = 0;         // of detail
 };
 
+inline constexpr int LEVELS[] = {1, 2};                  // of detail, beside 0
 inline constexpr int LIGHT_GRIDS[] = {16, 32, 64, 128};  // cells: those of a sweep
 
 // What decides how far knobs are turned.
@@ -41,6 +43,9 @@ std::vector<int> methods_fitting(const SceneDesc& desc, const std::vector<int>& 
 
 // Every setting once, coarse ones of each sweep first. methods: empty for a scene without media.
 std::vector<Knobs> knobs_list(const std::vector<int>& methods, const KnobLimits& limits, int spp);
+
+// The same for the voxels of a level of detail.
+KnobLimits limits_at(KnobLimits limits, int level);
 
 // Steps as shares of a side, each half of the one before, from coarse ones to half a cell of the finest grid (of
 // constant densities: 1/128) and `beyond` halvings further.

@@ -69,6 +69,8 @@ std::vector<CheckRow> check_run(Context& context, const CheckOptions& options,
   std::vector<CheckRow> rows;
   for (const Check& check : all_checks()) {
     if (check.name.find(options.filter) == std::string::npos) continue;
+    const auto in_name = [&](const std::string& part) { return check.name.find(part) != std::string::npos; };
+    if (std::any_of(options.skip.begin(), options.skip.end(), in_name)) continue;
     interrupt_check();
     const CheckCompare compare = check.prepare(options.size);
     for (const int lanes : options.lanes) {

@@ -39,8 +39,9 @@ class ErrorSum {
 
 struct CheckOptions {
   std::vector<int> lanes{1, 4, 8, 16};
-  int size = 64;       // pixels per side of the images; rays of the function checks follow its square
-  std::string filter;  // only rows whose name contains this; nothing is worked out for the others
+  int size = 64;                  // pixels per side of the images; rays of the function checks follow its square
+  std::string filter;             // only rows whose name contains this; nothing is worked out for the others
+  std::vector<std::string> skip;  // and none of these
 };
 
 // The names of all rows, in their order. Most follow from the rows of the families in kernels/shared.

@@ -115,6 +115,7 @@ void command_check(CLI::App& app, Command& run) {
       ->delimiter(',');
   command->add_option("--size", arguments->options.size, "Pixels per side of the pictures")->check(CLI::Range(4, 1024));
   command->add_option("--filter", arguments->options.filter, "Only checks whose name contains this");
+  command->add_option("--skip", arguments->options.skip, "Not those whose name contains one of these")->delimiter(',');
   command->add_flag("--stability", arguments->stability,
                     "Instead: every method on cases that are known to break volume renderers");
   command->add_option("--json", arguments->json, "Write the table as JSON");

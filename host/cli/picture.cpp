@@ -55,18 +55,34 @@ FlattenOptions flatten_options(const RenderArguments& arguments, int lanes) {
   return {bvh_width_for(lanes), arguments.crop_box(), arguments.alpha, arguments.witness != 0};
 }
 
+Prepared prepared_of(const RenderArguments& arguments, const SceneDesc& desc, LoadedScene& loaded, int lanes) {
+  Prepared made;
+  made.desc = desc;
+  const bool asks_full = desc.render.level > 0 && arguments.witness != 0;
+  loaded.needed_again = asks_full;  // one picture needs the files no longer
+  made.flat = flatten(desc, loaded, flatten_options(arguments, lanes));
+  if (asks_full) {
+    SceneDesc full = desc;
+    full.render.level = 0;
+    loaded.needed_again = false;
+    made.full = flatten(full, loaded, flatten_options(arguments, lanes));
+  }
+  made.notes = made.flat.all_notes();
+  return made;
+}
+
 Prepared prepare(const RenderArguments& arguments, const SceneDesc& asked, LoadedScene& loaded, Context& context,
                  int lanes, const Say& say) {
-  Prepared made;
   const std::string input = arguments.scene.string();
   const Stopwatch pilot;
+  std::vector<std::string> notes;
   loaded.needed_again = asked.render.has_goal();
-  made.desc =
-      with_memory(input, [&] { return picture_for_goal(arguments, asked, loaded, context, lanes, made.notes, say); });
-  made.pilot_s = pilot.seconds();
-  loaded.needed_again = false;  // one picture needs the files no longer
-  made.flat = with_memory(input, [&] { return flatten(made.desc, loaded, flatten_options(arguments, lanes)); });
-  for (const std::string& note : made.flat.all_notes()) made.notes.push_back(note);
+  const SceneDesc desc =
+      with_memory(input, [&] { return picture_for_goal(arguments, asked, loaded, context, lanes, notes, say); });
+  const double pilot_s = pilot.seconds();
+  Prepared made = with_memory(input, [&] { return prepared_of(arguments, desc, loaded, lanes); });
+  made.pilot_s = pilot_s;
+  made.notes.insert(made.notes.begin(), notes.begin(), notes.end());
   return made;
 }
 
@@ -91,10 +107,11 @@ bool Picture::measure() {
   const SceneDesc& desc = prepared_.desc;
   try {
     if (!arguments_.samples.empty()) return true;
-    error_ = picture_error(prepared_.flat, part_.film, arguments_.witness, renderer_.stats().render_s, desc.render);
+    error_ =
+        picture_error(prepared_.true_scene(), part_.film, arguments_.witness, renderer_.stats().render_s, desc.render);
     // What is refined is no sum of the samples that parts are joined of.
     if (!arguments_.in_part() && arguments_.resume.empty())
-      picture_refine_for_goal(arguments_, desc, prepared_.flat, context_, renderer_, part_.film, error_, say_);
+      picture_refine_for_goal(arguments_, desc, prepared_.true_scene(), context_, renderer_, part_.film, error_, say_);
     return true;
   } catch (const Interrupted&) {
     return false;

@@ -3,6 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,11 +22,17 @@ namespace brume {
 struct Prepared {
   SceneDesc desc;
   PlannedScene flat;
+  std::optional<PlannedScene> full;  // without its level of detail, for witnesses
   std::vector<std::string> notes;
   double pilot_s = 0;  // choosing settings for a goal
+
+  const PlannedScene& true_scene() const { return full ? *full : flat; }
 };
 
 FlattenOptions flatten_options(const RenderArguments& arguments, int lanes);
+
+// Everything flat, with what there is to note of it.
+Prepared prepared_of(const RenderArguments& arguments, const SceneDesc& desc, LoadedScene& loaded, int lanes);
 
 // Settings for a goal, where there is one, then everything flat. `say` is told what is chosen; not the notes.
 Prepared prepare(const RenderArguments& arguments, const SceneDesc& asked, LoadedScene& loaded, Context& context,

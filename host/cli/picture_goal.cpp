@@ -1,6 +1,8 @@
 // See picture_goal.hpp.
 #include "cli/picture_goal.hpp"
 
+#include <memory>
+
 #include "base/number_text.hpp"
 #include "pilot/goal.hpp"
 #include "pilot/pilot.hpp"
@@ -20,6 +22,7 @@ std::string metric_name(const RenderDesc& goal) {
 std::string knobs_text(const Knobs& knobs) {
   std::string text = knobs_method(knobs);
   if (knobs.step > 0) text += ", step " + number_text(knobs.step, 3);
+  if (knobs.level > 0) text += ", level " + std::to_string(knobs.level);
   if (knobs.tolerance > 0)
     text += ", tolerance " + number_text(knobs.tolerance, 3);
   else if (knobs.rule != IN_SCATTERING_SEGMENT)
@@ -69,11 +72,15 @@ void picture_refine_for_goal(const RenderArguments& arguments, const SceneDesc& 
   constexpr double HELPED = 0.9;  // of the error before
   const RenderDesc& goal = desc.render;
   std::optional<SceneDesc> finer = desc;
+  // With a level of detail, what is finer is the scene of the witnesses.
+  const std::shared_ptr<DeviceScene> scene = desc.render.level > 0 && goal_missed(goal, error.witness)
+                                                 ? std::make_shared<DeviceScene>(context, flat)
+                                                 : renderer.scene();
   for (int i = 0; i < REFINEMENTS && goal_missed(goal, error.witness); ++i) {
     finer = settings_finer(*finer);
     if (!finer) return;
-    const RenderPlan plan = plan_render(*finer, renderer.scene()->flat(), {arguments.crop_box(), arguments.alpha});
-    Renderer by_finer(context, renderer.scene(), plan, {renderer.stats().lanes, renderer.stats().generic, 0});
+    const RenderPlan plan = plan_render(*finer, scene->flat(), {arguments.crop_box(), arguments.alpha});
+    Renderer by_finer(context, scene, plan, {renderer.stats().lanes, renderer.stats().generic, 0});
     const double before = error_in(error.witness, goal.error_metric);
     const double share = picture_refine(by_finer, plan.frame, goal, film);
     error = picture_error(flat, film, arguments.witness, renderer.stats().render_s, goal);

@@ -71,6 +71,7 @@ void RenderArguments::add_options(CLI::App& command) {
   command.add_option("--method", method, "Transmittance method: auto, " + family_names(method_family()));
   command.add_option("--step", step, "Marching step as a share of the medium's longest side");
   command.add_option("--tolerance", tolerance, "Of the method adaptive: how far off a pixel may be, as a share of it");
+  command.add_option("--level", level, "Level of detail: voxels averaged over 2^LEVEL of them along each axis");
   command.add_option("--shadow", shadow, "Light inside media: auto, " + family_names(shadow_family()));
   command
       .add_option("--witness", witness,
@@ -119,6 +120,7 @@ std::vector<std::string> RenderArguments::all_overrides() const {
   if (seed) all.push_back("/render/seed=" + std::to_string(*seed));
   if (step) all.push_back("/render/step=" + number(*step));
   if (tolerance) all.push_back("/render/tolerance=" + number(*tolerance));
+  if (level) all.push_back("/render/level=" + std::to_string(*level));
   if (max_error) all.push_back("/render/max_error=" + number(*max_error));
   if (time_budget) all.push_back("/render/time_budget=" + number(*time_budget));
   if (!error_metric.empty()) all.push_back("/render/error_metric=\"" + error_metric + "\"");

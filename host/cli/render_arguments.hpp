@@ -22,7 +22,7 @@ struct RenderArguments {
   std::vector<std::filesystem::path> outputs;
   std::string size, crop, samples, method, shadow, device, aov, error_metric;
   std::optional<double> exposure, step, tolerance, max_error, time_budget;
-  std::optional<int> spp, seed, witness;
+  std::optional<int> spp, seed, witness, level;
   int lanes = 0;  // 0: the device's choice
   bool generic = false, quiet = false, strict = false;
   bool trim = false, alpha = false, partial = false, overwrite = false;

@@ -53,6 +53,7 @@ std::string render_stats_json(const SceneDesc& desc, const PlannedScene& flat, c
       {"generic_kernels", stats.generic},
       {"method", method_names(flat)},
       {"step", desc.render.step},
+      {"level", desc.render.level},
       {"media", media_json(flat)},
       {"size", {desc.film.size.x, desc.film.size.y}},
       {"spp", desc.film.spp},
@@ -83,6 +84,7 @@ ImageMetadata render_metadata(const SceneDesc& desc, const PlannedScene& flat, c
       {"scene", desc.file.string()}, {"method", method_names(flat)},         {"device", device.title()},
       {"driver", device.driver},     {"lanes", std::to_string(stats.lanes)}, {"spp", std::to_string(desc.film.spp)},
       {"version", VERSION}};
+  if (desc.render.level > 0) all.push_back({"level", std::to_string(desc.render.level)});
   if (const std::string text = picture_error_text(error); !text.empty()) all.push_back({"error", text});
   return all;
 }
@@ -117,7 +119,8 @@ std::string render_summary(const SceneDesc& desc, const PlannedScene& flat, cons
                 stats.lanes, device.name.c_str(), times.load_s, stats.kernel_build_s, stats.upload_s, stats.render_s,
                 times.total_s);
   const std::string known = picture_error_text(error);
-  return film + method_names(flat) + rest + (known.empty() ? "" : "; " + known);
+  const std::string level = desc.render.level > 0 ? ", level " + std::to_string(desc.render.level) : "";
+  return film + method_names(flat) + level + rest + (known.empty() ? "" : "; " + known);
 }
 
 }  // namespace brume

@@ -30,10 +30,7 @@ LoadedFrame SequenceLoader::load(int frame, std::optional<int> next) {
       kept_ = {};
     }
     if (!made.asked.render.has_goal()) {
-      Prepared prepared;
-      prepared.desc = made.asked;
-      prepared.flat = flatten(made.asked, made.loaded, flatten_options(one, lanes));
-      prepared.notes = prepared.flat.all_notes();
+      Prepared prepared = prepared_of(one, made.asked, made.loaded, lanes);
       made.prepared = std::move(prepared);
       made.loaded = {};
     }

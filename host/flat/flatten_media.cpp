@@ -30,16 +30,17 @@ dmat4 lattice_onto_bounds(const std::array<dvec3, 2>& bounds, const dvec3& size)
 
 const std::array<dvec3, 2> UNIT_BOUNDS{dvec3(-1), dvec3(1)};  // of what says none
 
-LoadedMedium load_grid(const std::shared_ptr<const MediumDesc>& desc, bool only_glows, LoadedScene& loaded_scene,
-                       std::vector<std::string>& notes) {
+LoadedMedium load_grid(const std::shared_ptr<const MediumDesc>& desc, bool only_glows, int level,
+                       LoadedScene& loaded_scene, std::vector<std::string>& notes) {
   const MediumDesc& m = *desc;
-  LoadedMedium loaded{desc, false, false, only_glows, 0, loaded_scene.grid(m.density), dmat4(1.0)};
+  LoadedMedium loaded{desc, false, false, only_glows, 0, loaded_scene.grid(m.density, level), dmat4(1.0)};
   for (const std::string& note : loaded.grid->notes) note_once(notes, note);
-  const dvec3 size(loaded.grid->size());
+  const dvec3 size(loaded.grid->full_size);
   const bool own = m.density.type == "file" && !m.bounds;
   loaded.world_from_lattice =
       transform_matrix(m.transform) *
       (own ? loaded.grid->world_from_lattice : lattice_onto_bounds(m.bounds.value_or(UNIT_BOUNDS), size));
+  for (int axis = 0; axis < 3; ++axis) loaded.world_from_lattice[axis] *= loaded.grid->spacing[axis];
   return loaded;
 }
 
@@ -55,7 +56,7 @@ LoadedMedium load_medium(const SceneDesc& desc, const MediumRow& row, LoadedScen
         transform_matrix(m.transform) * lattice_onto_bounds(m.bounds.value_or(UNIT_BOUNDS), dvec3(1));
     return loaded;
   }
-  return load_grid(row.desc, row.only_glows, loaded_scene, notes);
+  return load_grid(row.desc, row.only_glows, desc.render.level, loaded_scene, notes);
 }
 
 // How far the medium goes on beyond its lattice [0, size], in voxels: a trilinear field with zero outside fades over
@@ -244,7 +245,7 @@ LoadedIsosurface load_isosurface(const SceneDesc& desc, const ShapeDesc& shape, 
   as_medium->density = *surface.density;
   as_medium->bounds = surface.bounds;
   as_medium->transform = surface.transform;
-  return {load_grid(as_medium, false, loaded, notes), surface.iso, desc.file.string() + ": " + shape.place};
+  return {load_grid(as_medium, false, 0, loaded, notes), surface.iso, desc.file.string() + ": " + shape.place};
 }
 
 void medium_bounds_add(const LoadedMedium& m, Bounds& bounds) {

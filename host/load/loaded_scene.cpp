@@ -6,6 +6,7 @@
 #include "base/file_read.hpp"
 #include "load/scene_files.hpp"
 #include "volume/density_source.hpp"
+#include "volume/grid_level.hpp"
 
 namespace brume {
 
@@ -51,9 +52,11 @@ std::size_t array_bytes(const std::vector<T>& values) {
 
 }  // namespace
 
-std::shared_ptr<Grid> LoadedScene::grid(const DensityDesc& density) {
+std::shared_ptr<Grid> LoadedScene::grid(const DensityDesc& density, int level) {
   const DensitySpec spec = density_spec(density);
-  return once(grids_, density_key(spec), [&] { return density_make(spec); });
+  const std::string key = density_key(spec);
+  if (level == 0) return once(grids_, key, [&] { return density_make(spec); });
+  return once(grids_, key + " level " + std::to_string(level), [&] { return grid_halved(*grid(density, level - 1)); });
 }
 
 void LoadedScene::keep(const DensityDesc& density, Grid grid) {

@@ -26,7 +26,8 @@ struct LoadedCost {
 class LoadedScene {
  public:
   // Each is loaded when it is first asked for. They throw what their readers throw: InputError.
-  std::shared_ptr<Grid> grid(const DensityDesc& density);
+  // level: of detail; what it is averaged from stays, too.
+  std::shared_ptr<Grid> grid(const DensityDesc& density, int level = 0);
   std::shared_ptr<const Mesh> mesh(const std::filesystem::path& file);
   std::shared_ptr<const std::vector<MeshPlacement>> placements(const std::filesystem::path& file);
   std::shared_ptr<const Image> texture(const std::filesystem::path& file);

@@ -10,6 +10,7 @@ namespace brume {
 namespace {
 
 constexpr int STEPS_BEYOND = 3;  // finer than half a cell, for light
+constexpr int LEVEL_CELLS = 64;  // with fewer along a side a volume takes no time that averaging would save
 constexpr int RULES[] = {IN_SCATTERING_SEGMENT, IN_SCATTERING_GAUSS2};
 
 // Whether a step decides anything: the method has one, or a medium that takes another does.
@@ -30,7 +31,7 @@ KnobFamily family_of(const ChartScene& scene, Knobs knobs) {
   }
   if (!has_steps(knobs_apply(scene.desc(), knobs))) return {knobs};
   KnobFamily family;
-  for (const double step : steps_halving(scene.limits(), STEPS_BEYOND)) {
+  for (const double step : steps_halving(limits_at(scene.limits(), knobs.level), STEPS_BEYOND)) {
     knobs.step = step;
     family.push_back(knobs);
   }
@@ -49,6 +50,11 @@ std::vector<KnobFamily> knob_families(ChartScene& scene, const std::vector<int>&
       if (method_has_tolerance(method) && rule != IN_SCATTERING_SEGMENT) continue;  // it has its own
       families.push_back(family_of(scene, {method, 0, 0, desc.render.storage, rule, desc.film.spp}));
     }
+    if (row.rule == RULE_PRODUCT) continue;
+    for (const int level : LEVELS)
+      if (limits_at(scene.limits(), level).cells >= LEVEL_CELLS)
+        families.push_back(
+            family_of(scene, {method, 0, 0, desc.render.storage, IN_SCATTERING_SEGMENT, desc.film.spp, 0, level}));
   }
   std::stable_sort(families.begin(), families.end(), [&](const KnobFamily& a, const KnobFamily& b) {
     return scene.cost(a.front()) < scene.cost(b.front());

@@ -55,6 +55,10 @@ void render_pixels(Renderer& renderer, Film& film, const std::set<std::uint32_t>
 
 std::optional<SceneDesc> settings_finer(const SceneDesc& desc) {
   SceneDesc finer = desc;
+  if (desc.render.level > 0) {  // the voxels themselves first
+    finer.render.level = 0;
+    return finer;
+  }
   bool changed = false;
   const auto halve = [&](double& step) {
     changed = changed || step > STEP_FINEST;

@@ -1,8 +1,10 @@
 // Light grids: which lattice each light gets in each medium.
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 
 #include "base/error.hpp"
 #include "flat/transform.hpp"
@@ -24,21 +26,63 @@ bool wants_light_grids(const SceneDesc& desc, const Medium& m, const RenderPlan&
          !extended;
 }
 
-// The box of a medium divided evenly: the longest side in render.light_grid parts, the others in as many of that size
-// as cover them.
+// A box divided evenly.
 struct Lattice {
   ivec3 points;
   dvec3 lo, spacing;  // cell space
+  double count() const { return double(points.x) * points.y * points.z; }
 };
 
-Lattice lattice_of(const Medium& medium, int longest_parts) {
+struct Box {
+  dvec3 lo, hi;
+  bool holds(const dvec3& p) const {
+    return glm::all(glm::lessThanEqual(lo, p)) && glm::all(glm::lessThanEqual(p, hi));
+  }
+  dvec3 middle() const { return 0.5 * (lo + hi); }
+};
+
+Box box_of(const Medium& m) { return {dvec3(m.lo.x, m.lo.y, m.lo.z), dvec3(m.hi.x, m.hi.y, m.hi.z)}; }
+
+dvec3 sides_of(const Medium& medium, const Box& box) {  // in the world
   const dmat4 world_from_cell = matrix(medium.world_from_cell);
-  const dvec3 lo(medium.lo.x, medium.lo.y, medium.lo.z), size = dvec3(medium.hi.x, medium.hi.y, medium.hi.z) - lo;
   dvec3 sides;
-  for (int axis = 0; axis < 3; ++axis) sides[axis] = glm::length(dvec3(world_from_cell[axis])) * size[axis];
-  const double part = std::max({sides.x, sides.y, sides.z}) / longest_parts;
-  const ivec3 parts = glm::max(ivec3(glm::ceil(sides / part - 1e-6)), 1);
-  return {parts + 1, lo, size / dvec3(parts)};
+  for (int axis = 0; axis < 3; ++axis)
+    sides[axis] = glm::length(dvec3(world_from_cell[axis])) * (box.hi[axis] - box.lo[axis]);
+  return sides;
+}
+
+// The longest side of a medium in render.light_grid parts.
+double part_of(const Medium& medium, int longest_parts) {
+  const dvec3 sides = sides_of(medium, box_of(medium));
+  return std::max({sides.x, sides.y, sides.z}) / longest_parts;
+}
+
+// A box in the cell space of a medium in as many parts of that size as cover it.
+Lattice lattice_of(const Medium& medium, const Box& box, double part) {
+  const ivec3 parts = glm::max(ivec3(glm::ceil(sides_of(medium, box) / part - 1e-6)), 1);
+  return {parts + 1, box.lo, (box.hi - box.lo) / dvec3(parts)};
+}
+
+dmat4 cell_from_cell(const Medium& to, const Medium& from) {
+  return matrix(to.cell_from_world) * matrix(from.world_from_cell);
+}
+
+// The box of a medium as one along the axes of another's cell space. What sticks out by rounding alone does not.
+Box box_seen(const Medium& from, const Medium& medium) {
+  const dmat4 seen = cell_from_cell(from, medium);
+  const Box own = box_of(medium), other = box_of(from);
+  Box box{dvec3(INFINITY), dvec3(-INFINITY)};
+  for (int corner = 0; corner < 8; ++corner) {
+    const dvec3 p = transform_point(seen, dvec3(corner & 1 ? own.hi.x : own.lo.x, corner & 2 ? own.hi.y : own.lo.y,
+                                                corner & 4 ? own.hi.z : own.lo.z));
+    box = {glm::min(box.lo, p), glm::max(box.hi, p)};
+  }
+  const dvec3 rounding = 1e-5 * (other.hi - other.lo);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(box.lo[axis] - other.lo[axis]) < rounding[axis]) box.lo[axis] = other.lo[axis];
+    if (std::abs(box.hi[axis] - other.hi[axis]) < rounding[axis]) box.hi[axis] = other.hi[axis];
+  }
+  return box;
 }
 
 // Row of grid_from_cell for one axis of the lattice.
@@ -101,26 +145,84 @@ LightGrid grid_along(const Lattice& lattice, const dvec3& travel) {
   return grid;
 }
 
+LightGrid grid_for(const Lattice& lattice, const Medium& medium, const Light& light) {
+  if (light.type != LIGHT_DIRECTIONAL) return grid_upright(lattice);
+  const dvec3 travel(light.direction.x, light.direction.y, light.direction.z);
+  return grid_along(lattice, transform_dir(matrix(medium.cell_from_world), travel));
+}
+
+// Entries for one light after the other.
+void entries_take(const std::string& file, int longest_parts, LightGrid& grid, RenderPlan& plan) {
+  constexpr std::int64_t ENTRIES_MAX = 0x7fffffff / 3;  // kernels count all channels in an int
+  grid.offset = static_cast<int>(plan.light_entries);
+  plan.light_entries += static_cast<std::int64_t>(grid.nu) * grid.nv * grid.nk;
+  if (plan.light_entries > ENTRIES_MAX)
+    throw InputError(file + ": /render/light_grid: " + std::to_string(longest_parts) + " makes " +
+                     std::to_string(plan.light_entries) + " entries or more over all media and lights; at most " +
+                     std::to_string(ENTRIES_MAX) + " are allowed");
+}
+
+// The same entries by the maps of another medium.
+LightGrid grid_seen(LightGrid grid, const Medium& from, const Medium& medium) {
+  const dmat4 seen = matrix(grid.grid_from_cell) * cell_from_cell(from, medium);
+  grid.grid_from_cell = affine(seen);
+  grid.cell_from_grid = affine(glm::inverse(seen));
+  return grid;
+}
+
+constexpr double POINTS_MORE = 2;  // beside the media, where walks are short
+
+// Media that take one grid together, the first of which fills it.
+struct Together {
+  std::vector<std::size_t> media;
+  Lattice lattice;
+};
+
+// `first` and those of `others` that stand on one spot with it, if a lattice about all of them, as fine as the finest,
+// has at most POINTS_MORE times the points that their own have: n media then cost n times one and not n times n.
+Together together_with(std::size_t first, const std::vector<std::size_t>& others, const std::vector<Medium>& media,
+                       int longest_parts) {
+  const Medium& m = media[first];
+  Together all{{first}, lattice_of(m, box_of(m), part_of(m, longest_parts))};
+  const Lattice own = all.lattice;
+  Box box = box_of(m);
+  double part = part_of(m, longest_parts), points = own.count();
+  for (const std::size_t other : others) {
+    const Medium& o = media[other];
+    const Box seen = box_seen(m, o);
+    if (!box_of(m).holds(seen.middle()) && !box_of(o).holds(box_seen(o, m).middle())) continue;
+    box = {glm::min(box.lo, seen.lo), glm::max(box.hi, seen.hi)};
+    part = std::min(part, part_of(o, longest_parts));
+    points += lattice_of(o, box_of(o), part_of(o, longest_parts)).count();
+    all.media.push_back(other);
+  }
+  all.lattice = lattice_of(m, box, part);
+  return all.lattice.count() <= POINTS_MORE * points ? all : Together{{first}, own};
+}
+
 }  // namespace
 
-int light_grids_append(const SceneDesc& desc, const Medium& medium, RenderPlan& plan) {
-  if (!wants_light_grids(desc, medium, plan)) return -1;
-  const Lattice lattice = lattice_of(medium, desc.render.light_grid);
-  const dmat4 cell_from_world = matrix(medium.cell_from_world);
-  const int first = static_cast<int>(plan.light_grids.size());
-  for (const Light& light : plan.lights) {
-    const dvec3 travel(light.direction.x, light.direction.y, light.direction.z);
-    LightGrid grid = light.type == LIGHT_DIRECTIONAL ? grid_along(lattice, transform_dir(cell_from_world, travel))
-                                                     : grid_upright(lattice);
-    grid.offset = static_cast<int>(plan.light_entries);
-    plan.light_entries += static_cast<std::int64_t>(grid.nu) * grid.nv * grid.nk;
-    constexpr std::int64_t ENTRIES_MAX = 0x7fffffff / 3;  // kernels count all channels in an int
-    if (plan.light_entries > ENTRIES_MAX)
-      throw InputError(desc.file.string() + ": /render/light_grid: " + std::to_string(desc.render.light_grid) +
-                       " makes " + std::to_string(plan.light_entries) +
-                       " entries or more over all media and lights; at most " + std::to_string(ENTRIES_MAX) +
-                       " are allowed");
-    plan.light_grids.push_back(grid);
+std::vector<int> light_grids_plan(const SceneDesc& desc, const std::vector<Medium>& media, RenderPlan& plan) {
+  std::vector<int> first(media.size(), -1);
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < media.size(); ++i)
+    if (wants_light_grids(desc, media[i], plan)) left.push_back(i);
+  while (!left.empty()) {
+    const std::size_t filler = left.front();
+    const Together all =
+        together_with(filler, {left.begin() + 1, left.end()}, media, static_cast<int>(desc.render.light_grid));
+    std::vector<LightGrid> grids;
+    for (const Light& light : plan.lights) {
+      grids.push_back(grid_for(all.lattice, media[filler], light));
+      grids.back().media = static_cast<int>(all.media.size());
+      entries_take(desc.file.string(), desc.render.light_grid, grids.back(), plan);
+    }
+    for (const std::size_t m : all.media) {
+      first[m] = static_cast<int>(plan.light_grids.size());
+      for (const LightGrid& grid : grids)
+        plan.light_grids.push_back(m == filler ? grid : grid_seen(grid, media[filler], media[m]));
+      left.erase(std::find(left.begin(), left.end(), m));
+    }
   }
   return first;
 }

@@ -13,10 +13,10 @@ void plan_camera(const SceneDesc& desc, const FlatScene& scene, Frame& frame);
 // where they are too many.
 void plan_lights(const SceneDesc& desc, const FlatScene& scene, RenderPlan& plan);
 
-// The light grids of a medium to which they pay, one per light (shared/light_grid.h): the number of the first, -1 for
-// none. Needs the medium's geometry and coefficients, and the lights.
+// Of each medium the number of its first light grid, of which there is one per light (shared/light_grid.h); -1 where
+// they do not pay. Media on one spot share the entries. Needs the media's geometry and coefficients, and the lights.
 // Throws InputError where they have more entries than kernels count.
-int light_grids_append(const SceneDesc& desc, const Medium& medium, RenderPlan& plan);
+std::vector<int> light_grids_plan(const SceneDesc& desc, const std::vector<Medium>& media, RenderPlan& plan);
 
 // What `adaptive` needs to know of a medium, for this tolerance; adds to RenderPlan::piece_rates.
 void adaptive_plan(double tolerance, const FlatScene& scene, std::size_t medium, RenderPlan& plan);

@@ -71,9 +71,12 @@ void plan_media(const SceneDesc& desc, const FlatScene& flat, RenderPlan& plan) 
     plan.walks.push_back(walk_plan(desc, *rows[i].desc, flat, i, plan.frame));
     if (method_has_tolerance(plan.walks.back().method))
       adaptive_plan(rows[i].desc->tolerance.value_or(desc.render.tolerance), flat, i, plan);
-    plan.walks.back().light_grids = light_grids_append(desc, medium_of(flat, plan.walks.back(), i), plan);
     plan.draws |= 1u << method_draws(plan.walks.back().method);
   }
+  std::vector<Medium> media;
+  for (std::size_t i = 0; i < rows.size(); ++i) media.push_back(medium_of(flat, plan.walks[i], i));
+  const std::vector<int> light_grids = light_grids_plan(desc, media, plan);
+  for (std::size_t i = 0; i < rows.size(); ++i) plan.walks[i].light_grids = light_grids[i];
   plan.frame.takes_ends = !((plan.draws >> DRAWS_COLLISIONS) & 1u);
 }
 

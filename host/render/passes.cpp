@@ -80,9 +80,12 @@ Passes::Passes(Context& context, std::shared_ptr<DeviceScene> device_scene, cons
 }
 
 void Passes::plan_light_grids(const FlatScene& scene, const RenderPlan& plan) {
+  int filled = 0;  // entries; media that share a grid follow the one that fills it
   for (std::size_t m = 0; m < scene.media.size(); ++m)
     for (std::size_t l = 0; plan.walks[m].light_grids >= 0 && l < plan.lights.size(); ++l) {
       const LightGrid& grid = plan.light_grids[static_cast<std::size_t>(plan.walks[m].light_grids) + l];
+      if (grid.offset < filled) continue;
+      filled = grid.offset + grid.nu * grid.nv * grid.nk;
       const int items = grid.columns_u * grid.columns_v * (grid.column_step > 0 ? 1 : grid.nk);
       light_grids_.push_back({static_cast<cl_int>(m), static_cast<cl_int>(l), 0, static_cast<cl_uint>(items)});
     }

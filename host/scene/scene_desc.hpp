@@ -243,6 +243,8 @@ enum ErrorMetric {
       METRIC_COUNT
 };
 
+inline constexpr int LEVEL_MAX = 8;
+
 struct RenderDesc {
   int integrator = INTEGRATOR_WHITTED;
   int directions = 64;             // of ambient occlusion, as the next two
@@ -254,6 +256,7 @@ struct RenderDesc {
   int in_scattering = IN_SCATTERING_AUTO;
   int shadow = SHADOW_AUTO;
   int storage = STORAGE_F32;
+  int level = 0;                       // of detail: media with voxels averaged over 2^level of them along each axis
   int light_grid = 64;                 // shadow grid: cells of the light grid along the medium's longest side
   int light_picks = LIGHT_PICKS_AUTO;  // how many lights a point asks; 0: all
   int light_samples = 1;               // points on each surface that emits, where all lights are asked

@@ -73,6 +73,7 @@ RenderDesc read_render(const JsonValue& scene) {
   r.in_scattering = render.member("in_scattering", r.in_scattering, rules, "in-scattering rule");
   r.shadow = render.member("shadow", r.shadow, shadows, "shadow mode");
   r.storage = render.member("storage", r.storage, storage_family(), "storage");
+  r.level = render.integer("level", r.level, 0, LEVEL_MAX);
   r.light_grid = render.integer("light_grid", r.light_grid, 1, LIGHT_GRID_MAX);
   r.light_picks = render.integer("light_picks", r.light_picks, 0, LIGHT_PICKS_MAX);
   r.light_samples = render.integer("light_samples", r.light_samples, 1, LIGHT_PICKS_MAX);

@@ -183,6 +183,7 @@ Json render_json(const RenderDesc& r) {
             {"light_samples", r.light_samples},
             {"light_points", family_name(light_points_family(), r.light_points)},
             {"storage", family_name(storage_family(), r.storage)},
+            {"level", r.level},
             {"roulette", r.roulette},
             {"max_depth", r.max_depth},
             {"cutoff", number(r.cutoff)},

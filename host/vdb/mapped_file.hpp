@@ -15,6 +15,7 @@ class MappedFile : public std::streambuf {
   MappedFile(const MappedFile&) = delete;
   MappedFile& operator=(const MappedFile&) = delete;
 
+  const char* data() const { return bytes_; }
   std::size_t size() const { return size_; }
 
  protected:

@@ -2,6 +2,8 @@
 #pragma once
 #include <unistd.h>
 
+#include <vector>
+
 #include "base/helper_program.hpp"
 #include "volume/volume_protocol.hpp"
 
@@ -28,6 +30,28 @@ class VdbPeer {
 
  private:
   int socket_;
+};
+
+constexpr std::size_t LEAVES_PER_FRAME = 128, TILES_PER_FRAME = 4096;
+
+// Structs gathered into frames.
+template <class T, std::size_t PER_FRAME>
+class VdbBatch {
+ public:
+  VdbBatch(const VdbPeer& peer, VolumeFrame kind) : peer_(peer), kind_(kind) { items_.reserve(PER_FRAME); }
+  T& add() {
+    if (items_.size() == PER_FRAME) flush();
+    return items_.emplace_back();
+  }
+  void flush() {
+    if (!items_.empty()) peer_.send(kind_, items_.data(), items_.size() * sizeof(T));
+    items_.clear();
+  }
+
+ private:
+  const VdbPeer& peer_;
+  VolumeFrame kind_;
+  std::vector<T> items_;
 };
 
 }  // namespace brume

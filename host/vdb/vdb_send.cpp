@@ -16,8 +16,6 @@ using openvdb::GridBase;
 using ScalarGrids = openvdb::TypeList<openvdb::FloatGrid, openvdb::DoubleGrid, openvdb::Int32Grid, openvdb::Int64Grid,
                                       openvdb::BoolGrid, openvdb::MaskGrid>;
 
-constexpr std::size_t LEAVES_PER_FRAME = 128, TILES_PER_FRAME = 4096;
-
 VolumeScalar scalar_of(const GridBase& grid) {
   if (grid.isType<openvdb::BoolGrid>() || grid.isType<openvdb::MaskGrid>()) return VolumeScalar::MASK;
   if (grid.isType<openvdb::Int32Grid>() || grid.isType<openvdb::Int64Grid>()) return VolumeScalar::INTEGER;
@@ -43,26 +41,6 @@ void coord_copy(const Coord& from, std::int32_t* to) {
   for (int axis = 0; axis < 3; ++axis) to[axis] = from[axis];
 }
 
-// Structs gathered into frames.
-template <class T, std::size_t PER_FRAME>
-class Batch {
- public:
-  Batch(const VdbPeer& peer, VolumeFrame kind) : peer_(peer), kind_(kind) { items_.reserve(PER_FRAME); }
-  T& add() {
-    if (items_.size() == PER_FRAME) flush();
-    return items_.emplace_back();
-  }
-  void flush() {
-    if (!items_.empty()) peer_.send(kind_, items_.data(), items_.size() * sizeof(T));
-    items_.clear();
-  }
-
- private:
-  const VdbPeer& peer_;
-  VolumeFrame kind_;
-  std::vector<T> items_;
-};
-
 struct Taken {
   bool inside;                 // negative values too
   std::uint64_t inactive = 0;  // seen that are neither active nor background
@@ -76,7 +54,7 @@ struct Taken {
 
 template <class Tree>
 void send_leaves(const VdbPeer& peer, const Tree& tree, Taken& taken) {
-  Batch<VolumeLeaf, LEAVES_PER_FRAME> batch(peer, VolumeFrame::LEAVES);
+  VdbBatch<VolumeLeaf, LEAVES_PER_FRAME> batch(peer, VolumeFrame::LEAVES);
   const auto background = tree.background();
   for (auto leaf = tree.cbeginLeaf(); leaf; ++leaf) {
     VolumeLeaf& out = batch.add();
@@ -93,7 +71,7 @@ void send_leaves(const VdbPeer& peer, const Tree& tree, Taken& taken) {
 
 template <class Tree>
 void send_tiles(const VdbPeer& peer, const Tree& tree, Taken& taken) {
-  Batch<VolumeTile, TILES_PER_FRAME> batch(peer, VolumeFrame::TILES);
+  VdbBatch<VolumeTile, TILES_PER_FRAME> batch(peer, VolumeFrame::TILES);
   const auto background = tree.background();
   auto tile = tree.cbeginValueAll();
   tile.setMaxDepth(Tree::ValueAllCIter::LEAF_DEPTH - 1);

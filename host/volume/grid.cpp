@@ -69,7 +69,7 @@ void grid_expect_fits(std::string_view what, glm::i64vec3 size, double stored, s
                      ", allowed are " + std::to_string(allowed));
 }
 
-Grid::Grid(ivec3 size) : size_(size) {
+Grid::Grid(ivec3 size) : full_size(size), size_(size) {
   grid_expect_fits("grid", size, 0);
   blocks_ = ivec3(pieces_of(size, GRID_BLOCK));
   groups_size_ = ivec3(groups_of(size));

@@ -76,6 +76,10 @@ class Grid {
   // coordinates voxel i spans [i, i+1), so CLAMP grids fill [0, size] and ZERO grids reach half a voxel further when
   // trilinear.
   dmat4 world_from_lattice{1.0};
+  // Of an averaged grid (grid_level.hpp): how many samples of the full one its own are apart, along each axis, and how
+  // many that one has; world_from_lattice is then that of the full one.
+  dvec3 spacing{1.0};
+  ivec3 full_size;
   std::string name;                // of the grid within its file
   std::string source;              // file or generator, for messages and info
   std::vector<std::string> notes;  // what a user should be told: cleaned voxels, ...

@@ -1,4 +1,4 @@
-// Fills the light grid of one medium: the optical depth from each point to each light. Runs once, before the first
+// Fills a light grid by the maps of one medium: the optical depth from each point to each light. Runs once, before the first
 // batch.
 #include "media/radiative.cl"
 
@@ -62,7 +62,7 @@ __kernel void light_grid(SCENE_ARGS, int medium, int light_index, uint first, ui
     known = known && !moved;
     if (!known) tau = (Tau)(0.0f);
     // Points on which no other builds are left out where nothing is looked up.
-    if (vec_max(light.irradiance) > 0.0f && ((along && !moved) || bricks_near(&scene, &m, p, near)))
+    if (vec_max(light.irradiance) > 0.0f && ((along && !moved) || grid.media > 1 || bricks_near(&scene, &m, p, near)))
       tau += media_tau(&scene, -1, point, -light.travel, known ? grid.column_step : light.distance,
                        random_stream(random, (uint)k), &lookups);
     tau = fmin(tau, (Tau)(TAU_STOP));  // behind which walks end, sooner or later

@@ -1,4 +1,5 @@
-// Light grids: the optical depth of all media from the points of a lattice about a medium to one light.
+// Light grids: the optical depth of all media from the points of a lattice about a medium, or about several on one
+// spot, to one light.
 // Planes k = 0 … nk-1 divide the medium's box evenly along one axis, columns (U, V) cross them all. The columns of a
 // directional light run along it, so that each point's depth is that of the point before plus that between the two. To
 // keep them inside the box every plane holds its own nu × nv of them, U from floor(slope_u k) and V from
@@ -26,7 +27,9 @@ typedef struct {
   int from_first;        // the light comes from plane 0
   int first_u, first_v;  // the columns that meet the box anywhere
   int columns_u, columns_v;
+  int media;  // that read these entries, each by maps of its own; those of the first fill them
+  int pad[3];
 } LightGrid;
-BRUME_LAYOUT(LightGrid, 144);
+BRUME_LAYOUT(LightGrid, 160);
 BRUME_SHARED_END
 #endif

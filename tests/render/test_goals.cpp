@@ -42,6 +42,26 @@ TEST_F(Goals, AreMetByTheWholePicture) {
   EXPECT_LE(error.at("estimate"), 0.05) << said_;
 }
 
+// Witnesses ask the full voxels: what they say is how far the picture is from the one without a level.
+TEST_F(Goals, ALevelOfDetailIsMeasuredAgainstTheVoxels) {
+  const std::string fine = " --method dda_gauss2 --witness 768";
+  const double none = error_of(fine).at("estimate"), one = error_of(fine + " --level 1").at("estimate"),
+               two = error_of(fine + " --level 2").at("estimate");
+  EXPECT_LT(none, 1e-3);
+  EXPECT_GT(one, 5 * none);
+  EXPECT_GT(two, 2 * one);
+  EXPECT_LT(two, 0.5);
+  EXPECT_NE(said_.find(", level 2, "), std::string::npos) << said_;
+  EXPECT_EQ(nlohmann::json::parse(text(folder_ / "s.json")).at("level"), 2);
+}
+
+// A large volume of large shapes, of which a level shows as much as was asked for in less time; refined by its voxels
+// where that turns out too coarse.
+TEST_F(Goals, AreReachedThroughALevel) {
+  const nlohmann::json error = error_of("--witness 768 --max-error 0.02 --set /render/level=2 --method dda_midpoint");
+  EXPECT_LE(error.at("estimate"), 0.02) << said_;
+}
+
 // A method that is too coarse by itself, and whose pilot has no other choice: march_midpoint at light grids.
 TEST_F(Goals, AreReachedByRefiningWhatIsThere) {
   const nlohmann::json error = error_of("--witness 768 --max-error 0.004 --method march_midpoint");

@@ -40,6 +40,28 @@ TEST(ChartKnobs, NoSettingTwiceAndEveryMethod) {
   EXPECT_EQ(methods.size(), std::size_t(METHOD_COUNT));
 }
 
+TEST(ChartKnobs, LevelsOfDetailWhereThereIsDetail) {
+  const auto levels = [](int cells) {
+    std::set<int> found;
+    for (const Knobs& knobs : knobs_list(all_methods(), {cells, true}, 1)) {
+      found.insert(knobs.level);
+      if (knobs.level == 0) continue;
+      if (knobs.step > 0) {
+        EXPECT_GE(knobs.step * limits_at({cells, true}, knobs.level).cells, 0.25) << knobs_id(knobs);
+      }
+      EXPECT_NE(method_row(knobs.method).rule, RULE_PRODUCT) << knobs_id(knobs);
+      const SceneDesc set = knobs_apply(scene_of("perlin"), knobs);
+      EXPECT_EQ(set.render.level, knobs.level);
+      EXPECT_EQ(exact_desc(set, 1).render.level, 0);
+    }
+    return found;
+  };
+  EXPECT_EQ(levels(0), std::set<int>({0}));
+  EXPECT_EQ(levels(30), std::set<int>({0}));
+  EXPECT_EQ(levels(32), std::set<int>({0, 1}));
+  EXPECT_EQ(levels(64), std::set<int>({0, 1, 2}));
+}
+
 TEST(ChartKnobs, EveryKnobIsTurnedWhereItIs) {
   std::set<double> steps;
   std::set<int> grids, storages, rules, spps;

@@ -123,5 +123,59 @@ TEST(LightGrids, AreExactInAConstantFieldAlongAnAxis) {
   }
 }
 
+// Boxes about one spot, turned against each other, and one beside them.
+PlannedScene boxes_turned(int count, const std::string& beside) {
+  std::string media;
+  for (int i = 0; i < count; ++i)
+    media += std::string(i ? "," : "") + R"({"sigma_s": 1, "transform": [{"rotate": [1, 1, 0, )" +
+             std::to_string(40 * i) + R"(]}, {"translate": [3, 0, 0]}],
+        "density": {"type": "perlin", "resolution": [8, 8, 8], "seed": )" +
+             std::to_string(i) + "}}";
+  return flatten(
+      scene_read_text(R"({"camera": {"eye": [0, 0, 5], "target": [0, 0, 0]}, "lights": [)" + sun("0.3, -1, 0.4") +
+                          R"(], "media": [)" + media + beside + R"(], "render": {"shadow": "grid", "light_grid": 8}})",
+                      "boxes.json", {}),
+      {});
+}
+
+TEST(LightGrids, MediaOnOneSpotShareOne) {
+  const PlannedScene scene = boxes_turned(
+      4,
+      R"(, {"sigma_s": 1, "bounds": [[7, -1, -1], [9, 1, 1]], "density": {"type": "linear", "resolution": [4, 4, 4]}})");
+  ASSERT_EQ(scene.light_grids.size(), 5u);
+  for (const std::size_t i : {0u, 1u, 2u, 3u}) {
+    EXPECT_EQ(scene.light_grids[i].media, 4);
+    EXPECT_EQ(scene.light_grids[i].offset, 0);
+  }
+  EXPECT_EQ(scene.light_grids[4].media, 1);
+  EXPECT_GT(scene.light_grids[4].offset, 0);
+  // each finds the same place of the lattice, which reaches over all of them
+  const Context context(scene, {});
+  const std::vector<Medium>& media = context.media;
+  for (const Medium& medium : media) {
+    const LightGrid &own = light_grid_of(scene, medium, 0), &first = scene.light_grids[0];
+    if (own.media == 1) continue;
+    each_point(medium, 0.1, [&](const dvec3& p) {
+      const dvec3 at = affine_point(own.grid_from_cell, p);
+      const dvec3 world = affine_point(medium.world_from_cell, p);
+      const dvec3 same = affine_point(first.grid_from_cell, affine_point(media[0].cell_from_world, world));
+      EXPECT_LT(glm::length(at - same), 1e-4);
+      EXPECT_GE(at.z, -1e-4);
+      EXPECT_LE(at.z, first.nk - 1 + 1e-4);
+      EXPECT_GE(at.x - first.slope_u * at.z, 1 - 1e-4);
+      EXPECT_LE(at.x - first.slope_u * at.z, first.nu - 2 + 1e-4);
+    });
+  }
+}
+
+// The same box, whatever its voxels: the very grid of one.
+TEST(LightGrids, OneBoxIsOneLattice) {
+  const std::string box = R"(, {"sigma_s": 1, "transform": [{"translate": [3, 0, 0]}],
+                                "density": {"type": "linear", "resolution": [5, 3, 7]}})";
+  const PlannedScene one = boxes_turned(1, ""), two = boxes_turned(1, box);
+  EXPECT_EQ(two.light_grids.size(), 2u);
+  EXPECT_EQ(two.light_entries, one.light_entries);
+}
+
 }  // namespace
 }  // namespace brume::reference

@@ -62,7 +62,8 @@ inline const char* const SCENE_FULL = R"({
     {"type": "liquid", "model": "surface", "interpolation": "trilinear", "presence": "clamp", "iso": 0.75, "material": "b",
      "density": {"type": "constant", "resolution": [4, 4, 4], "value": 1}, "sigma_a": [3, 2, 1]}],
   "render": {"integrator": "whitted", "directions": 32, "distance": 2.5, "rotate": false, "method": "march_midpoint", "step": 0.125, "tolerance": 0.25, "in_scattering": "segment", "shadow": "trace", "light_grid": 32,
-    "storage": "u8", "light_picks": 16, "light_samples": 4, "light_points": "centroid", "bvh": "midpoint", "roulette": 0.25, "max_depth": 3, "cutoff": 0.25, "shadow_of_glass": "clear", "seed": 7, "max_error": 0.01,
+    "storage": "u8", "level": 2,
+    "light_picks": 16, "light_samples": 4, "light_points": "centroid", "bvh": "midpoint", "roulette": 0.25, "max_depth": 3, "cutoff": 0.25, "shadow_of_glass": "clear", "seed": 7, "max_error": 0.01,
     "error_metric": "display"}
 })";
 

@@ -117,6 +117,11 @@ class Runs {
   std::size_t next_ = 0;
 };
 
+double rays_of(const RayWork& work, std::size_t kind) {
+  const std::size_t rays = work.rays.rays[kind].size() / RAY_FLOATS;
+  return static_cast<double>(rays);
+}
+
 using Counters = std::map<std::string, double>;
 
 RayBench bench_of(const std::string& name, const std::function<std::vector<double>(Counters&)>& measure) {
@@ -144,7 +149,7 @@ RayBench build_bench(const std::shared_ptr<Meshes>& meshes, const RayMesh& mesh)
 
 RayBench kind_bench(const std::shared_ptr<Meshes>& meshes, const RayMesh& mesh, std::size_t kind) {
   return bench_of(std::string("rays/") + mesh.name + "/" + RAY_KINDS[kind].name, [=](Counters& counters) {
-    counters["rays"] = static_cast<double>(meshes->work(mesh).rays.rays[kind].size() / RAY_FLOATS);
+    counters["rays"] = rays_of(meshes->work(mesh), kind);
     return meshes->run(mesh, kind, counters["hits"]);
   });
 }
@@ -158,7 +163,7 @@ RayBench peer_bench(const std::shared_ptr<Meshes>& meshes, const RayMesh& mesh, 
     const auto found = rows.find(row);
     if (found == rows.end()) return std::vector<double>();
     if (build) return found->second.seconds;
-    counters["rays"] = static_cast<double>(meshes->work(mesh).rays.rays[kind].size() / RAY_FLOATS);
+    counters["rays"] = rays_of(meshes->work(mesh), kind);
     counters["hits"] = found->second.hits;
     counters["packet"] = std::stod(found->second.way);
     return found->second.seconds;

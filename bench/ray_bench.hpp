@@ -18,9 +18,9 @@ struct RayBench {
   std::function<void(::benchmark::State&)> measure;
 };
 
-// rays/MESH/{build,primary,shadow,bounce}, and with `peers` peer/MESH/embree/…, `repetitions` runs of each: of spot on a floor where
-// BRUME_TEST_DATA has it, and within bumpy spheres of 70 000 and of a million triangles. Meshes and rays are made when
-// the first that needs them runs.
+// rays/MESH/{build,primary,shadow,bounce}, and with `peers` peer/MESH/embree/…, `repetitions` runs of each: of spot on
+// a floor where BRUME_TEST_DATA has it, and within bumpy spheres of 70 000 and of a million triangles. Meshes and rays
+// are made when the first that needs them runs.
 std::vector<RayBench> ray_benches(const DeviceInfo& device, const std::filesystem::path& folder, int repetitions,
                                   bool peers);
 

@@ -1,5 +1,5 @@
-// Binary BVH by a rule of bvh_split.hpp. Where the rule finds no place, or the tree gets deep, the range is halved as it
-// stands: the depth stays bounded whatever the boxes are. Large ranges are built side by side.
+// Binary BVH by a rule of bvh_split.hpp. Where the rule finds no place, or the tree gets deep, the range is halved as
+// it stands: the depth stays bounded whatever the boxes are. Large ranges are built side by side.
 #include <future>
 
 #include "accel/bvh_split.hpp"
@@ -82,7 +82,7 @@ class Builder {
     return offset;
   }
 
-  // The same nodes in the same order, however many are built at a time.
+  // The same nodes in the same order, however many are built at a time; by this thread where there is no other to have.
   Nodes build(std::uint32_t first, std::uint32_t count, int depth) {
     Nodes nodes;
     if (depth >= PARALLEL_DEPTH || count < PARALLEL_LEAST) {
@@ -91,8 +91,8 @@ class Builder {
     }
     std::uint32_t left_count = 0;
     nodes.push_back(node_of(first, count, depth, &left_count));
-    std::future<Nodes> right =
-        std::async(std::launch::async, &Builder::build, this, first + left_count, count - left_count, depth + 1);
+    std::future<Nodes> right = std::async(std::launch::async | std::launch::deferred, &Builder::build, this,
+                                          first + left_count, count - left_count, depth + 1);
     nodes[0].left = nodes_append(nodes, build(first, left_count, depth + 1));
     nodes[0].right = nodes_append(nodes, right.get());
     return nodes;

@@ -49,8 +49,8 @@ struct Split {
   double cost = std::numeric_limits<double>::infinity();
 };
 
-// The cheapest place between bins of one axis: area · (triangles + lanes of their blocks) on either side. Triangles alone
-// leave a third of the lanes empty, lanes alone part what is small in the wrong places.
+// The cheapest place between bins of one axis: area · (triangles + lanes of their blocks) on either side. Triangles
+// alone leave a third of the lanes empty, lanes alone part what is small in the wrong places.
 void split_improve(Split& best, int axis, const std::array<Box, BINS>& boxes,
                    const std::array<std::uint32_t, BINS>& counts, int bins, const BoxRange& range) {
   const auto cost = [&](const Box& box, std::uint32_t n) {

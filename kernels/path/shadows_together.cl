@@ -10,6 +10,8 @@
 
 // What is known of pick n by asking for it together; bit i of `there`: surface i is one.
 static inline void shadow_ask(const Scene* scene, __global const Ray* rays, uint there, int n, Surface* surfaces) {
+  const int all = scene->frame->light_picks == scene->frame->light_count;
+  if (all && LIGHT_IS(&scene->lights[n], SURFACE)) return;
   RayLanes lanes;
   uint asking = 0;
   int some = 0;
@@ -40,6 +42,7 @@ static inline void shadow_ask(const Scene* scene, __global const Ray* rays, uint
 
 // rays: those that hit the surfaces.
 static inline void shadows_ask(const Scene* scene, __global const Ray* rays, uint there, Surface* surfaces) {
+  if ((BRUME_LIGHTS_USED) == (1 << LIGHT_SURFACE)) return;
   if (scene->frame->clear_shadows || scene->frame->directions > 0) return;
   for (int n = 0; n < min(scene->frame->light_picks, 32); ++n) shadow_ask(scene, rays, there, n, surfaces);
 }

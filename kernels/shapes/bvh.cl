@@ -50,7 +50,8 @@ static inline BvhMask box_hits(const BoxRay* r, __global const float* node, floa
 #undef PLANE
 }
 
-// Before what goes through a tree: with instances several places ask for that, else inlined it is some per cent quicker.
+// Before what goes through a tree: with instances several places ask for that, else inlined it is some per cent
+// quicker.
 #if BRUME_INSTANCES
 #define BVH_CALLED OUTLINED
 #else

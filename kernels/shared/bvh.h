@@ -1,5 +1,6 @@
-// Wide BVH: every node holds `width` child boxes side by side (SoA), which are tested at once [Wald08]; so do the blocks of
-// triangles in leaves. Buffers hold plain floats so that no struct depends on the width. Absolute within the buffers:
+// Wide BVH: every node holds `width` child boxes side by side (SoA), which are tested at once [Wald08]; so do the
+// blocks of triangles in leaves. Buffers hold plain floats so that no struct depends on the width. Absolute within the
+// buffers:
 //   nodes:  per node 7 runs of width: lo_x lo_y lo_z hi_x hi_y hi_z link
 //           link as int: >= 0: inner node; < 0: leaf, ~link = first block * 16 + blocks
 //           absent child: lo = +inf, hi = -inf, link BVH_ABSENT

@@ -1,5 +1,5 @@
-// A closed mesh is never seen through: not by random rays from within, nor by rays aimed at its edges and corners, along
-// the axes, or in the planes of its boxes.
+// A closed mesh is never seen through: not by random rays from within, nor by rays aimed at its edges and corners,
+// along the axes, or in the planes of its boxes.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

@@ -3,43 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <functional>
-#include <random>
 
-#include "accel/bvh.hpp"
 #include "base/float_bits.hpp"
+#include "unit/accel/soup.hpp"
 
 namespace brume {
 namespace {
-
-using Soup = std::vector<Triangle>;
-using Point = std::array<float, 3>;
-
-Triangle triangle(const Point& a, const Point& b, const Point& c) {
-  Triangle t{};
-  t.p[0] = {a[0], a[1], a[2]};
-  t.p[1] = {b[0], b[1], b[2]};
-  t.p[2] = {c[0], c[1], c[2]};
-  return t;
-}
-
-// Triangles of one size class somewhere in a cube.
-Soup random_soup(int count, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<float> place(-10, 10), reach(-1, 1);
-  Soup soup;
-  for (int i = 0; i < count; ++i) {
-    Point p[3];
-    const Point at{place(random), place(random), place(random)};
-    for (Point& corner : p)
-      for (int axis = 0; axis < 3; ++axis) corner[axis] = at[axis] + reach(random);
-    soup.push_back(triangle(p[0], p[1], p[2]));
-  }
-  return soup;
-}
 
 struct Case {
   const char* name;
@@ -196,19 +167,6 @@ class Walk {
   std::vector<int> seen_, nodes_, blocks_;  // how often each was met
 };
 
-// Of floats that are numbers of nodes and triangles too.
-bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
-}
-
-// The last run of each record: links of nodes, ids of blocks.
-std::vector<int> last_runs(const std::vector<float>& records, int runs, int width) {
-  std::vector<int> out;
-  for (std::size_t i = 0; i < records.size(); ++i)
-    if (static_cast<int>(i) / width % runs == runs - 1) out.push_back(float_as_bits(records[i]));
-  return out;
-}
-
 class Bvh : public testing::TestWithParam<int> {};
 
 TEST_P(Bvh, HoldsEveryTriangleOnceWithinItsBoxes) {
@@ -286,71 +244,6 @@ TEST_P(Bvh, HoldsEveryBoxOnce) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Widths, Bvh, testing::Values(4, 8), testing::PrintToStringParamName());
-
-std::vector<BvhBox> boxes_of(const Soup& soup) {
-  std::vector<BvhBox> boxes;
-  for (const Triangle& t : soup) {
-    BvhBox box;
-    for (int axis = 0; axis < 3; ++axis) {
-      const float p[3] = {(&t.p[0].x)[axis], (&t.p[1].x)[axis], (&t.p[2].x)[axis]};
-      box.lo[axis] = *std::min_element(p, p + 3);
-      box.hi[axis] = *std::max_element(p, p + 3);
-    }
-    boxes.push_back(box);
-  }
-  return boxes;
-}
-
-// A leaf takes no more triangles than one block has lanes.
-TEST(BinaryBvh, LeavesPartitionTheTriangles) {
-  const Soup soup = random_soup(777, 11);
-  for (const int leaf_size : {1, 4, 16}) {
-    const BinaryBvh tree = bvh_build_binary(boxes_of(soup), leaf_size);
-    std::vector<int> seen(soup.size());
-    for (const BinaryNode& node : tree.nodes) {
-      EXPECT_EQ(node.left < 0, node.right < 0);
-      if (node.left >= 0) {
-        EXPECT_EQ(tree.nodes.at(node.left).count + tree.nodes.at(node.right).count, node.count);
-        continue;
-      }
-      EXPECT_GE(node.count, 1u);
-      EXPECT_LE(node.count, static_cast<unsigned>(leaf_size));
-      for (std::uint32_t k = 0; k < node.count; ++k) ++seen.at(tree.order.at(node.first + k));
-    }
-    EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), static_cast<long>(soup.size()));
-  }
-}
-
-// Two triangles side by side, each in its own box of half of all: the root and two blocks, seen by half of the rays each.
-TEST(BvhMeasure, CountsNodesAndBlocksByTheRaysThatMeetThem) {
-  Soup soup(8, triangle({0, 0, 0}, {1, 1, 1}, {0, 1, 0}));
-  for (int i = 0; i < 8; ++i) soup.push_back(triangle({1, 0, 0}, {2, 1, 1}, {1, 1, 0}));
-  const BvhMeasure measure = bvh_measure(bvh_build(soup, 8), 0, 8);
-  EXPECT_EQ(measure.depth, 1);
-  EXPECT_DOUBLE_EQ(measure.sah_cost, 1 + 2 * 0.5 * 3.0 / 5.0);  // areas: 6 of 10
-}
-
-// What rules are for: on the same soup the later rows of the table cost less.
-TEST(BvhMeasure, OrdersTheRules) {
-  const Soup soup = random_soup(5000, 4);
-  double cost[BVH_RULES];
-  for (int rule = 0; rule < BVH_RULES; ++rule) cost[rule] = bvh_measure(bvh_build(soup, 8, rule), 0, 8).sah_cost;
-  EXPECT_GT(cost[BVH_LIST], 300);  // half of its 625 blocks and more
-  EXPECT_LT(cost[BVH_MIDPOINT], cost[BVH_LIST] / 5);
-  EXPECT_LT(cost[BVH_SAH], cost[BVH_MIDPOINT]);
-}
-
-// Two clusters far apart: a builder that looks at areas parts them at the root.
-TEST(BinaryBvh, PartsWhatIsFarApart) {
-  Soup soup = random_soup(64, 5);
-  for (std::size_t i = 0; i < soup.size(); i += 2)
-    for (Packed3& p : soup[i].p) p.y += 1000;
-  const BinaryBvh tree = bvh_build_binary(boxes_of(soup), 4);
-  const BinaryNode &left = tree.nodes.at(tree.nodes.at(0).left), &right = tree.nodes.at(tree.nodes.at(0).right);
-  EXPECT_EQ(left.count, 32u);
-  EXPECT_EQ(right.count, 32u);
-  EXPECT_GT(std::abs(left.lo[1] - right.lo[1]), 900);
-}
 
 // A comb: every inner node has one leaf and one inner node, `depth` of them. What bvh_build never makes, bvh_collapse
 // must refuse.

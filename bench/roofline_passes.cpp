@@ -120,7 +120,8 @@ void balls_write(int count, const std::filesystem::path& file) {
   std::ofstream out(file);
   const int side = static_cast<int>(std::ceil(std::sqrt(count)));
   for (int i = 0; i < count; ++i) {
-    const double x = 2.2 * (i % side - side / 2), z = -2.2 * (i / side), turn = i;
+    const int column = i % side - side / 2, row = i / side;
+    const double x = 2.2 * column, z = -2.2 * row, turn = i;
     out << std::cos(turn) << " 0 " << std::sin(turn) << ' ' << x << " 0 1 0 0 " << -std::sin(turn) << " 0 "
         << std::cos(turn) << ' ' << z << '\n';
   }

@@ -9,7 +9,19 @@ namespace brume {
 
 namespace {
 
-constexpr int OUTLINE_CELLS = 4;  // along each axis
+constexpr int OUTLINE_CELLS = 4;                         // along each axis
+constexpr std::size_t EXACT_MAX = std::size_t(1) << 22;  // triangles in all places whose corners are looked at
+
+// An outline without any slack.
+std::vector<Bounds> points_of(const Mesh& mesh, const MeshPart& part) {
+  std::vector<Bounds> points;
+  for (std::size_t i = part.first; i < part.first + part.count; ++i)
+    for (const int p : mesh.triangles[i].position) {
+      points.emplace_back();
+      points.back().add(mesh.positions[static_cast<std::size_t>(p)]);
+    }
+  return points;
+}
 
 }  // namespace
 
@@ -53,7 +65,8 @@ Bounds mesh_bounds(const Mesh& mesh) {
   Bounds bounds;
   mesh_bounds_add(mesh, 0, alone_count(mesh), bounds);
   for (const MeshPart& part : mesh.parts) {
-    const std::vector<Bounds> outline = outline_make(mesh, part.first, part.count);
+    const bool exact = part.count * part.placements.size() <= EXACT_MAX;
+    const std::vector<Bounds> outline = exact ? points_of(mesh, part) : outline_make(mesh, part.first, part.count);
     for (const MeshPlacement& placement : part.placements) {
       const Bounds there = outline_bounds(outline, dmat4(placement));
       bounds.add(there.lo);

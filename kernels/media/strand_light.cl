@@ -47,7 +47,7 @@ static inline void stretch_parts_walk(const Scene* scene, Stretch* s, const Segm
 #endif
   if (!RULE_IS(s->medium, GAUSS2) && !RULE_IS(s->medium, PIECE)) return;
   lanes_store(SUMS_BY(scene, s->medium, GAUSS2) ? walk_integral_shares(scene, s->medium, s->ray, parts, &s->second)
-                                              : walk_integral(scene, s->medium, s->ray, parts),
+                                                : walk_integral(scene, s->medium, s->ray, parts),
               s->integral);
   *lookups += walk_lookups(s->medium, parts);
 }

@@ -17,7 +17,7 @@
   STRUCT(Light, F(position) F(type) F(direction) F(falloff) F(intensity) F(outer) F(inner) F(exponent) F(primitive)    \
                     F(point) F(points))                                                                                \
   STRUCT(LightGrid, F(grid_from_cell) F(cell_from_grid) F(nu) F(nv) F(nk) F(offset) F(slope_u) F(slope_v)              \
-                        F(column_step) F(from_first) F(first_u) F(first_v) F(columns_u) F(columns_v) F(media) F(pad))                  \
+                        F(column_step) F(from_first) F(first_u) F(first_v) F(columns_u) F(columns_v) F(media) F(pad))  \
   STRUCT(Material, F(diffuse) F(model) F(specular) F(shininess) F(ambient) F(texture) F(emission) F(ior) F(reflection) \
                        F(refraction) F(emission_texture) F(fresnel) F(absorption))                                     \
   STRUCT(Texture, F(type) F(width) F(height) F(offset) F(color_a) F(scale) F(color_b) F(wrap) F(uv_scale) F(uv_offset) \

@@ -18,14 +18,22 @@ unsigned bits_used(const Items& items, Key key) {
 
 constexpr unsigned all_bits(int count) { return (1u << count) - 1; }
 
+// As adaptive_joins in kernels/media/scatter.cl; false for other methods.
+bool walks_alone(const FlatScene& scene, const MediumWalk& walk, std::size_t medium) {
+  const Medium m = medium_of(scene, walk, medium);
+  const auto some = [](const Packed3& v) { return std::max({v.x, v.y, v.z}) > 0; };
+  if (!method_has_tolerance(walk.method)) return false;
+  return m.is_constant || (some(m.sigma_s) ? m.light_grids < 0 : !some(m.emission));
+}
+
 // What BRUME_MEDIA says of several media.
-unsigned media_option(const std::vector<MediumWalk>& walks) {
+unsigned media_option(const FlatScene& scene, const std::vector<MediumWalk>& walks) {
   const auto walked = std::count_if(walks.begin(), walks.end(),
                                     [](const MediumWalk& walk) { return method_rule(walk.method) != RULE_PRODUCT; });
-  const bool adapts =
-      std::any_of(walks.begin(), walks.end(), [](const MediumWalk& walk) { return method_has_tolerance(walk.method); });
+  bool alone = false;
+  for (std::size_t i = 0; i < walks.size(); ++i) alone = alone || walks_alone(scene, walks[i], i);
   if (walks.size() < 2) return static_cast<unsigned>(walks.size());
-  return walked < 2 || adapts ? 2 : walks.size() <= MEDIA_TOGETHER ? 3 : 4;
+  return walked < 2 || alone ? 2 : walks.size() <= MEDIA_TOGETHER ? 3 : 4;
 }
 
 }  // namespace
@@ -40,7 +48,7 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
   for (const MediumWalk& w : plan.walks)
     rules |= 1u << (method_has_tolerance(w.method) ? IN_SCATTERING_GAUSS2 : plan.frame.in_scattering);
   return {
-      {"MEDIA", media_option(plan.walks), 4, "media"},
+      {"MEDIA", media_option(s, plan.walks), 4, "media"},
       {"COLOR_TAU", static_cast<unsigned>(s.color_tau), 1, "an optical depth for each channel"},
       {"METHODS_USED", methods, all_bits(METHOD_COUNT), "methods"},
       {"JITTER", (plan.draws >> DRAWS_PLACES) & 1u, 1, "random places in steps"},

@@ -25,8 +25,8 @@
 #define BRUME_OUTLINE 0
 #endif
 
-// 0: no medium code; 1: one medium; 2: several, of which at most one is not constant; 3: up to MEDIA_TOGETHER; 4: any
-// number
+// 0: no medium code; 1: one medium; 2: several, of which at most one is not constant or one walks alone; 3: up to
+// MEDIA_TOGETHER; 4: any number
 #ifndef BRUME_MEDIA
 #define BRUME_MEDIA 4
 #endif

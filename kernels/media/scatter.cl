@@ -4,12 +4,19 @@
 #include "media/liquid.cl"
 #include "media/together.cl"
 
-// Roulette and trackers change τ as their random numbers say, which nobody but the medium itself may see; `adaptive`
-// asks for light by runs of its own.
+// `adaptive` joins others where it does not ask for light by runs of its own, nor in steps through a constant medium,
+// and where its segments are asked, which tells its error.
+static inline int adaptive_joins(__global const Medium* medium) {
+  const int scatters = vec_max(vec_unpack(medium->sigma_s)) > 0.0f;
+  if (medium->is_constant || (scatters && medium->light_grids < 0)) return 0;
+  return scatters || vec_max(vec_unpack(medium->emission)) > 0.0f;
+}
+
+// Roulette and trackers change τ as their random numbers say, which nobody but the medium itself may see.
 static inline int walks_together(const Scene* scene) {
   if (BRUME_MEDIA < 3 || !TAKES_ENDS(scene) || (BRUME_ROULETTE && scene->frame->roulette > 0.0f)) return 0;
   for (int m = 0; USES_METHOD(ADAPTIVE) && m < MEDIA_END(scene); ++m)
-    if (METHOD_IS(scene->media + m, ADAPTIVE)) return 0;
+    if (METHOD_IS(scene->media + m, ADAPTIVE) && !adaptive_joins(scene->media + m)) return 0;
   return 1;
 }
 

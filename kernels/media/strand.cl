@@ -24,6 +24,8 @@ typedef struct {
   LitSteps lit_steps;
   Segments at;
   Stretch stretch;
+  Rough rough;  // of `adaptive`, and what it has sent to the origin
+  float sent;
   int waits;            // the batch has not been asked for light
   float known;          // world distance up to which the batch reaches
   Tau tau;              // of the medium itself up to the batch
@@ -87,6 +89,7 @@ static inline int strand_begin(const Scene* scene, Strand* k, int m, float3 orig
   k->stretch = stretch_of(&k->medium, &k->ray, origin, dir, t_max, random, m);
   k->walk = walk_begin(scene, &k->medium, &k->ray, k->stretch.walk, WALK_SCATTERS);
   if (k->lit && HAS_LIT_STEPS(scene, &k->medium)) k->lit_steps = lit_steps_begin(scene, &k->stretch, m);
+  k->rough.squares = k->rough.seen = k->rough.gain = k->sent = 0.0f;
   k->waits = 0;
   k->known = -INFINITY;
   k->tau = (Tau)(0.0f);
@@ -131,7 +134,10 @@ static inline void strand_grow(const Scene* scene, Strand* k) {
   }
   k->growth = growth_of(scene, &k->medium, &k->ray, &k->at);
   lanes_store(growth_integral(&k->growth), s->integral);
-  if (IN_SCATTERING_IS(scene, GAUSS2)) s->second = growth_second(&k->growth);
+  if (RULE_IS(&k->medium, PIECE))
+    walk_integral_shares(scene, &k->medium, &k->ray, &k->at, &s->second);
+  else if (IN_SCATTERING_IS(scene, GAUSS2))
+    s->second = growth_second(&k->growth);
   k->piece = 0;
   for (int i = 0; i < W; ++i)
     if (k->at.size[i] > 0.0f) k->pieces = i + 1;

@@ -45,9 +45,9 @@ static inline void stretch_parts_walk(const Scene* scene, Stretch* s, const Segm
 #if BRUME_RANDOM
   for (int i = 0; i < W; ++i) s->id[i] = parts->id[i];
 #endif
-  if (!RULE_IS(s->medium, GAUSS2)) return;
-  lanes_store(IN_SCATTERING_IS(scene, GAUSS2) ? walk_integral_shares(scene, s->medium, s->ray, parts, &s->second)
-                                              : walk_integral(scene, s->medium, s->ray, parts),
+  if (!RULE_IS(s->medium, GAUSS2) && !RULE_IS(s->medium, PIECE)) return;
+  lanes_store(SUMS_BY(scene, s->medium, GAUSS2) ? walk_integral_shares(scene, s->medium, s->ray, parts, &s->second)
+                                                : walk_integral(scene, s->medium, s->ray, parts),
               s->integral);
   *lookups += walk_lookups(s->medium, parts);
 }
@@ -103,7 +103,7 @@ static inline void strand_scatter(const Scene* scene, const Strands* all, Strand
   if (!stretch_is_lit(&s)) return;
   stretch_depths(&s, k->sigma_t);
   Others others = others_first(&s);
-  const int cuts = !IN_SCATTERING_IS(scene, RECTANGLE) && stretch_cut(scene, &s, &cut);
+  const int cuts = !SUMS_BY(scene, &medium, RECTANGLE) && stretch_cut(scene, &s, &cut);
   int kept = 1;
   do {
     if (cuts) {
@@ -119,7 +119,12 @@ static inline void strand_scatter(const Scene* scene, const Strands* all, Strand
       stretch_depths(&s, k->sigma_t);
     }
     stretch_gains(scene, &s, k->sigma_t, &k->tau);
-    long_sum_add(radiance, stretch_radiance(scene, &s, 1, result));
+    const float3 sent = stretch_radiance(scene, &s, 1, result);
+    if (METHOD_IS(&medium, ADAPTIVE)) {
+      stretch_rough(scene, &s, &k->rough);
+      k->sent += vec_mean(sent);
+    }
+    long_sum_add(radiance, sent);
   } while (cuts && tau_min(k->tau + others.tau) < TAU_STOP);
   k->stretch.light_t = s.light_t;
   k->stretch.light_tau = s.light_tau;

@@ -150,6 +150,14 @@ static inline void strands_begin(const Scene* scene, Strands* all, int* m, float
   for (int i = 0; i < all->count; ++i) all->strand[i].asks = weaken > (tau_max(all->strand[i].sigma_t) > 0.0f);
 }
 
+// What `adaptive` may err by.
+static inline void strands_tell(const Strands* all, MediumResult* result) {
+  for (int i = 0; USES_METHOD(ADAPTIVE) && i < all->count; ++i) {
+    const Strand* k = all->strand + i;
+    if (METHOD_IS(&k->medium, ADAPTIVE)) rough_tell(&k->rough, k->sigma_t, k->sent, result);
+  }
+}
+
 // Adds what they scatter to *radiance and returns their optical depth.
 static inline Tau media_scatter_together(const Scene* scene, int* m, float3 origin, float3 dir, float t_max,
                                          Random random, LongSum* radiance, MediumResult* result) {
@@ -157,7 +165,10 @@ static inline Tau media_scatter_together(const Scene* scene, int* m, float3 orig
   strands_begin(scene, &all, m, origin, dir, t_max, random);
   for (;;) {
     const float known = strands_next(scene, &all, radiance, result);
-    if (known == INFINITY) return strands_tau(&all, INFINITY);
+    if (known == INFINITY) {
+      strands_tell(&all, result);
+      return strands_tau(&all, INFINITY);
+    }
     window_next(&all, known);
     for (int first = 0; first == 0 || first < all.window.count; first += W) window_depths(&all, first);
     if (!all.closed && tau_min(strands_tau(&all, all.window.end)) >= TAU_STOP) strands_close(&all);

@@ -101,6 +101,19 @@ TEST(Overlap, MixedMediaByEveryRuleStorageAndShadow) {
     expect_as_reference(mixed_scene(6, render), {4, 16}, render);
 }
 
+// `adaptive` walks beside others where it asks for no runs of light: as a glow and with light grids.
+TEST(Overlap, AdaptiveMediaTogether) {
+  const std::string adaptive = R"("method": "adaptive", "tolerance": 1e-3)";
+  for (const double sigma : {0.1, 40.0})
+    expect_as_reference(
+        boxes_scene(3, R"("sigma_s": 0, "emission": [1, 0.5, 0.2], "sigma_a": )" + std::to_string(sigma),
+                    "{" + adaptive + "}"),
+        {1, 16}, "adaptive glow of " + std::to_string(sigma));
+  expect_as_reference(boxes_scene(3, R"("sigma_a": [0.1, 0.2, 0.3], "sigma_s": 2)",
+                                  "{" + adaptive + R"(, "shadow": "grid", "light_grid": 8})"),
+                      {1, 16}, "adaptive with light grids");
+}
+
 TEST(Overlap, KernelsAreToldHowManyAreWalked) {
   const auto media = [](const std::string& scene) {
     const PlannedScene flat = flat_of(scene);
@@ -112,6 +125,10 @@ TEST(Overlap, KernelsAreToldHowManyAreWalked) {
   EXPECT_EQ(media(boxes_scene(2, smoke, "{}")), 3u);
   EXPECT_EQ(media(boxes_scene(15, smoke, "{}", fog)), 3u);
   EXPECT_EQ(media(boxes_scene(16, smoke, "{}", fog)), 4u);
+  const std::string adaptive = R"({"method": "adaptive")";
+  EXPECT_EQ(media(boxes_scene(2, smoke, adaptive + "}")), 2u);
+  EXPECT_EQ(media(boxes_scene(2, smoke, adaptive + R"(, "shadow": "grid"})")), 3u);
+  EXPECT_EQ(media(boxes_scene(2, R"("sigma_s": 0, "emission": 1)", adaptive + "}")), 3u);
 }
 
 double lookups_of(const PlannedScene& scene) {
@@ -125,12 +142,14 @@ double lookups_of(const PlannedScene& scene) {
 // both ends of every segment took 24 times the lookups of one medium, asking for each batch 11 times.
 TEST(Overlap, LookupsGrowAsTheNumberOfMedia) {
   const std::string glow = R"("sigma_a": 0.05, "sigma_s": 0, "emission": 1)";
-  const double one = lookups_of(flat_of(boxes_scene(1, glow, "{}"))),
-               four = lookups_of(flat_of(boxes_scene(4, glow, "{}"))),
-               sixteen = lookups_of(flat_of(boxes_scene(16, glow, "{}")));
-  EXPECT_GT(one, 0);
-  EXPECT_LE(four, 2.5 * one);
-  EXPECT_LE(sixteen, 4.2 * four);
+  for (const std::string render : {"{}", R"({"method": "adaptive"})"}) {
+    const double one = lookups_of(flat_of(boxes_scene(1, glow, render))),
+                 four = lookups_of(flat_of(boxes_scene(4, glow, render))),
+                 sixteen = lookups_of(flat_of(boxes_scene(16, glow, render)));
+    EXPECT_GT(one, 0) << render;
+    EXPECT_LE(four, 2.5 * one) << render;
+    EXPECT_LE(sixteen, 4.2 * four) << render;
+  }
 }
 
 }  // namespace

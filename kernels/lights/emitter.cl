@@ -20,8 +20,12 @@ static inline float2 emitter_choice(const Light* light, Random random, float2 mi
 #if BRUME_TRIANGLES
 static inline ShapePlace triangle_emit(const Scene* scene, const Light* light, float3 from, Random random,
                                        float3* radiance) {
+#if BRUME_INSTANCES
   float3 geometric;
   const Triangle t = triangle_of(scene, light->primitive, light->instance, &geometric);
+#else
+  const Triangle t = scene->triangles[light->primitive - FIRST_TRIANGLE];  // its normal is not asked for
+#endif
   const float2 xi = emitter_choice(light, random, (float2)(4.0f / 9.0f, 0.5f));
   const float root = sqrt(xi.x), u = root * (1.0f - xi.y), v = root * xi.y, w = 1.0f - root;  // evenly [Turk90]
   const float3 p0 = vec_unpack(t.p[0]), p1 = vec_unpack(t.p[1]), p2 = vec_unpack(t.p[2]);

@@ -98,16 +98,6 @@ static inline int bvh_open(const Scene* scene, const BoxRay* box, int node, floa
   return nearest.link;
 }
 
-// The same, the nearest on the stack too, which it returns the top of.
-static inline int bvh_push_children(const Scene* scene, const BoxRay* box, int node, float t_max, BvhEntry* stack,
-                                    int top) {
-  const int nearest = bvh_open(scene, box, node, t_max, stack, &top);
-  if (nearest == BVH_ABSENT) return top;
-  stack[top].t = 0.0f;
-  stack[top].link = nearest;
-  return top + 1;
-}
-
 // Nearest triangle in the blocks of a leaf. Equal distances go to the lower index, whatever the order of visits.
 static inline void leaf_hit(const Scene* scene, const ShearedRay* ray, int link, Hit* hit) {
   const int first = (~link) >> 4, count = (~link) & 15;

@@ -6,11 +6,10 @@ namespace brume {
 
 const std::vector<SceneText>& instance_scenes() {
   static const std::vector<SceneText> scenes{{"instances", R"({
-  "camera": {"eye": [0.5, 1.6, 3.4], "target": [0, 0, 0], "vfov": 40}, "film": {"spp": 2}, "background": [0.3, 0.4, 0.6],
+  "camera": {"eye": [0.5, 1.6, 3.4], "target": [0, 0, 0], "vfov": 50}, "background": [0.3, 0.4, 0.6],
   "ambient": [0.1, 0.1, 0.1],
-  "lights": [{"type": "directional", "direction": [-0.5, -1, -0.4], "irradiance": [2, 2, 2]},
-             {"type": "point", "position": [1, 1.4, 1.5], "intensity": [2, 1.8, 1.5]}],
-  "materials": {"checker": {"model": "blinn_phong", "diffuse": 1, "specular": 0.3, "shininess": 30, "ambient": 1, "texture": {"type": "checker", "colors": [[0.8, 0.7, 0.5], [0.2, 0.3, 0.4]], "scale": 4}},
+  "lights": [{"type": "point", "position": [1, 1.4, 1.5], "intensity": [3, 2.8, 2.5]}],
+  "materials": {"checker": {"model": "blinn_phong", "diffuse": 1, "specular": 0.3, "shininess": 30, "ambient": 1, "texture": {"type": "checker", "colors": [[0.8, 0.7, 0.5], [0.2, 0.3, 0.4]], "scale": 2}},
                 "mirror": {"model": "phong", "diffuse": 0.1, "specular": 0.4, "shininess": 20, "reflection": 0.7},
                 "glass": {"diffuse": 0.05, "refraction": 0.9, "ior": 1.3, "fresnel": true, "absorption": [0.5, 2, 3]},
                 "floor": {"diffuse": 0.6}},
@@ -26,21 +25,21 @@ const std::vector<SceneText>& instance_scenes() {
              {"type": "mesh", "file": "torus.obj", "shading": "flat",
               "transform": [{"scale": [0.3, 0.3, -0.3]}, {"rotate": [1, 0, 0, 90]}, {"translate": [-0.9, 0.6, 0.4]}]},
              {"type": "sphere", "center": [0.1, -0.2, 0.5], "radius": 0.2, "material": "checker"}],
-  "render": {"max_depth": 3, "cutoff": 0.003, "shadow_of_glass": "clear"}})"},
+  "render": {"max_depth": 2, "cutoff": 0.003, "shadow_of_glass": "clear"}})"},
                                              {"instance_lights", R"({
   "camera": {"eye": [0.5, 1.6, 3.4], "target": [0, 0, 0], "vfov": 40}, "background": [0.05, 0.05, 0.1],
   "lights": [{"type": "directional", "direction": [-0.5, -1, -0.4], "irradiance": [0.5, 0.5, 0.5]}],
   "materials": {"grey": {"model": "phong", "diffuse": 0.5, "specular": 0.3, "shininess": 10},
-                "glow": {"diffuse": 0.2, "emission": [3, 2, 1]}},
+                "glow": {"diffuse": 0, "emission": [3, 2, 1]}},
   "shapes": [{"type": "quad", "corner": [-2, -0.7, -2], "u": [0, 0, 4], "v": [4, 0, 0], "material": "grey"},
              {"type": "mesh", "file": "rod.obj", "material": "glow",
               "instances": [[{"scale": [0.6, 1.2, 0.4]}, {"translate": [-0.7, 0, 0.2]}],
                             [{"scale": [-0.5, 0.8, 0.4]}, {"rotate": [1, 0, 0, 70]}, {"translate": [0.4, 0.7, -0.3]}]]},
              {"type": "mesh", "file": "rod.obj", "instances": [[{"scale": 0.4}, {"translate": [0.8, 0, 0.9]}]]},
-             {"type": "mesh", "file": "torus.obj", "material": "grey", "shading": "gouraud", "transform": [{"scale": [0.5, 0.4, 0.6]}],
+             {"type": "mesh", "file": "torus.obj", "material": "grey", "shading": "phong", "transform": [{"scale": [0.25, 0.2, 0.3]}],
               "instances": [[{"rotate": [1, 0, 0, 40]}], [{"scale": [0.7, -0.7, 0.5]}, {"translate": [-0.2, 0.1, 1]}]]}],
-  "media": [{"bounds": [[-1.2, -0.6, -1], [1.2, 0.9, 1.2]], "density": {"type": "perlin", "resolution": [12, 11, 12], "scale": 3}, "sigma_a": 0.2, "sigma_s": 0.5}],
-  "render": {"light_samples": 2}})"}};
+  "media": [{"bounds": [[-0.3, -0.65, -1.2], [0.2, -0.3, 1.2]], "density": {"type": "perlin", "resolution": [12, 11, 12], "scale": 3}, "sigma_a": 0.2, "sigma_s": 0.5}],
+  "render": {"light_samples": 1}})"}};
   return scenes;
 }
 

@@ -99,7 +99,10 @@ cl::Kernel kernel_create(const cl::Program& program, const char* name) {
 
 namespace {
 
-std::string all_options(const std::string& options) { const char* x = std::getenv("BRUME_X"); return "-cl-std=CL1.2 -w " + std::string(x ? x : "") + " " + options; }
+std::string all_options(const std::string& options) {
+  const char* x = std::getenv("BRUME_X");
+  return "-cl-std=CL1.2 -w " + std::string(x ? x : "") + " " + options;
+}
 
 }  // namespace
 

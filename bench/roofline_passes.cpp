@@ -105,8 +105,8 @@ Renders sphere_renders(const RooflineBench& bench, double reflection, SphereScen
   return renders_of(bench, scene.flat, plan_render(scene.desc, scene.flat, {}));
 }
 
-// A ball of 5 800 triangles that fills the picture, or so many on a floor that they fill it from above the first rows to
-// where they are smaller than pixels.
+// A ball of 5 800 triangles that fills the picture, or so many on a floor that they fill it from above the first rows
+// to where they are smaller than pixels.
 constexpr int BALL_RINGS = 54;
 std::string balls_scene(const std::string& instances, int size) {
   const std::string side = std::to_string(size), vfov = instances.empty() ? "11" : "45";

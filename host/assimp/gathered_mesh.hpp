@@ -30,7 +30,7 @@ struct GatheredMesh {
   std::vector<std::string> surface_names, notes;
 };
 
-// Every mesh where its node puts it; one that several nodes have once, with where they put it. InputError for indices out of range.
+// Every mesh where its node puts it; one of several nodes once, with their places. InputError for indices out of range.
 GatheredMesh mesh_gather(const aiScene& scene, bool has_materials);
 
 }  // namespace brume

@@ -63,8 +63,8 @@ struct Mesh {
 // of the MTL beyond float, or syntax at whose meaning one would only guess.
 Mesh mesh_read_obj(const std::filesystem::path& file);
 
-// The same of a PLY or glTF file, by brume-mesh. A mesh of glTF is where its node puts it; one that several nodes have is
-// a part. InputError also where a PLY ends before what its header promises, and where the file makes the reader crash.
+// The same of a PLY or glTF file, by brume-mesh. A mesh of glTF is where its node puts it; one that several nodes have
+// is a part. InputError also where a PLY ends before its header says so, and where the file makes the reader crash.
 Mesh mesh_read_foreign(const std::filesystem::path& file);
 
 // By the ending, one of mesh_endings().

@@ -111,7 +111,7 @@ struct MeshDesc {
   MeshShading shading = MeshShading::PHONG;
   std::optional<double> crease;  // degrees, in [0, 180]: sharper edges are not smoothed
   TransformDesc transform;
-  // Where it stands, each applied after `transform`: written in the scene or in a file, at most one of both. None: once.
+  // Where it stands, each applied after `transform`: written in the scene or in a file, not in both. None: once.
   std::vector<TransformDesc> instances;
   std::filesystem::path instance_file;
 };

@@ -1,5 +1,5 @@
-// Fills a light grid by the maps of one medium: the optical depth from each point to each light. Runs once, before the first
-// batch.
+// Fills a light grid by the maps of one medium: the optical depth from each point to each light. Runs once, before the
+// first batch.
 #include "media/radiative.cl"
 
 // True when a stored brick reaches into the box p ± half_size (cell space): only then is the point ever looked up with

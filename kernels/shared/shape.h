@@ -90,8 +90,8 @@ typedef struct {
 } Instance;
 BRUME_LAYOUT(Instance, 136);
 
-// A primary key of everything that can be hit: analytic shapes first, triangles from FIRST_TRIANGLE on; of instances the
-// triangle of the mesh, and the number of the instance beside it.
+// A primary key of everything that can be hit: analytic shapes first, triangles from FIRST_TRIANGLE on; of instances
+// the triangle of the mesh, and the number of the instance beside it.
 #define PRIMITIVE_NONE (-1)
 #define FIRST_TRIANGLE (1 << 24)
 #define INSTANCE_NONE (-1)

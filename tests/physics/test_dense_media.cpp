@@ -138,9 +138,8 @@ TEST(DenseMedia, CoarseLightGridsAreTheSameForAllLanes) {
   for (const FilmPixel& p : truth.pixels()) sum += p.radiance.y / double(truth.pixels().size());
   for (const int lanes : {1, 4, 8, 16}) {
     Film film({12, 9});
-    Renderer(pocl(), flatten(desc, {bvh_width_for(lanes), {}}), {lanes, false, 0}).render(film, [](double) {
-      return true;
-    });
+    const PlannedScene flat = flatten(desc, {bvh_width_for(lanes), {}});
+    Renderer(pocl(), flat, {lanes, false, 0}).render(film, [](double) { return true; });
     for (std::size_t i = 0; i < film.pixels().size(); ++i)
       EXPECT_NEAR(film.pixels()[i].radiance.y, truth.pixels()[i].radiance.y, 1e-3 * sum) << lanes << " lanes, " << i;
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -98,8 +99,10 @@ class Halving {
     std::array<float, GRID_BLOCK * GRID_BLOCK * GRID_BLOCK> values{};
     for (ivec3 i = lo; i.z <= hi.z; ++i.z)
       for (i.y = lo.y; i.y <= hi.y; ++i.y)
-        for (i.x = lo.x; i.x <= hi.x; ++i.x)
-          values[static_cast<std::size_t>((i.z - lo.z) * 64 + (i.y - lo.y) * 8 + (i.x - lo.x))] = mean(i);
+        for (i.x = lo.x; i.x <= hi.x; ++i.x) {
+          const glm::uvec3 in_block(i - lo);
+          values[in_block.z * 64 + in_block.y * 8 + in_block.x] = mean(i);
+        }
     coarse_.set_cube(lo, values.data());
   }
 

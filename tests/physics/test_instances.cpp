@@ -24,8 +24,8 @@ std::string ball_text() {
       const double a = 2 * M_PI * i / AROUND, b = M_PI * j / UP;
       const std::string p = std::to_string(std::sin(b) * std::cos(a)) + " " + std::to_string(-std::cos(b)) + " " +
                             std::to_string(-std::sin(b) * std::sin(a)) + "\n";
-      text += "v " + p + "vn " + p + "vt " + std::to_string(double(i) / AROUND) + " " + std::to_string(double(j) / UP) +
-              "\n";
+      text.append("v ").append(p).append("vn ").append(p).append("vt ").append(std::to_string(double(i) / AROUND));
+      text.append(" ").append(std::to_string(double(j) / UP)).append("\n");
     }
   const auto corner = [](int i, int j) {
     const std::string n = std::to_string(j * (AROUND + 1) + i + 1);
@@ -108,9 +108,10 @@ TEST_F(Instances, DoNotDependOnTheUnitsOfTheMesh) {
   const Film alone = picture(mesh + R"(0.obj", "transform": [{"scale": 0.7}]})", 16, 4);
   for (const auto& [size, back] : {std::pair("1e-6", "1e6"), std::pair("1e5", "1e-5")}) {
     SCOPED_TRACE(size);
-    const std::string steps = std::string(R"("transform": [{"scale": )") + size + R"(}], "instances": [[{"scale": )" +
-                              back + R"(}, {"scale": 0.7}]])";
-    expect_same(picture(mesh + R"(.obj", )" + steps + "}", 16, 4), alone, BOUNCES_LIMIT);
+    std::string shape = mesh;
+    shape.append(R"(.obj", "transform": [{"scale": )").append(size).append(R"(}], "instances": [[{"scale": )");
+    shape.append(back).append(R"(}, {"scale": 0.7}]]})");
+    expect_same(picture(shape, 16, 4), alone, BOUNCES_LIMIT);
   }
 }
 

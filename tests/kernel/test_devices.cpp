@@ -44,9 +44,9 @@ TEST(Devices, RusticlAgreesWithTheReference) {
 
 TEST(Devices, LongRusticlAgreesInEveryScene) {
   if (!has("RUSTICL_ENABLE=llvmpipe", "llvmpipe")) GTEST_SKIP() << "no rusticl on llvmpipe (package mesa-opencl-icd)";
-  // Mesa takes some ten minutes to compile a liquid among media that are walked adaptively.
+  // Mesa takes minutes to compile a liquid among media that are walked adaptively or tracked.
   expect_passes("RUSTICL_ENABLE=llvmpipe timeout 1500 " BRUME_BINARY
-                " check --device llvmpipe --size 8 --lanes 4 --filter image/ --skip liquid_adaptive");
+                " check --device llvmpipe --size 8 --lanes 4 --filter image/ --skip liquid_adaptive,liquid_tracked");
 }
 
 // Its compiler emits intrinsics that it does not know itself unless it leaves the code as it is.

@@ -143,7 +143,7 @@ RayKernels::RayKernels(Context& context, const PlannedScene& scene, int lanes)
 
 std::vector<double> RayKernels::run(const char* name, const std::vector<float>& rays, int runs,
                                     std::vector<float>& out) const {
-  const std::size_t count = rays.size() / RAY_FLOATS, group = context_.device().cpu ? 16 : 64;
+  const std::size_t count = rays.size() / RAY_FLOATS;
   out.resize(2 * count);
   DeviceScene uploaded(context_, scene_);
   const DevicePlan planned(context_, uploaded, scene_, 3);
@@ -158,8 +158,7 @@ std::vector<double> RayKernels::run(const char* name, const std::vector<float>& 
   std::vector<double> seconds;
   for (int run = -1; run < runs; ++run) {
     const Stopwatch watch;
-    context_.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((count + group - 1) / group * group),
-                                          cl::NDRange(group));
+    context_.launch(kernel, count);
     context_.queue().finish();
     if (run >= 0) seconds.push_back(watch.seconds());
   }

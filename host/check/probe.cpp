@@ -17,12 +17,6 @@ cl::Program probe_program(const Context& context, const PlannedScene& scene, int
   return program_build(context, source, kernel_options(scene, scene, context.device(), lanes, true));
 }
 
-void launch(Context& context, const cl::Kernel& kernel, std::size_t items) {
-  const std::size_t group = context.device().group;
-  context.queue().enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange((items + group - 1) / group * group),
-                                       cl::NDRange(group));
-}
-
 void fill_gradients(Context& context, const DevicePlan& device_scene, const cl::Program& program,
                     const PlannedScene& scene) {
   cl::Kernel kernel = kernel_create(program, "probe_gradients");
@@ -30,7 +24,7 @@ void fill_gradients(Context& context, const DevicePlan& device_scene, const cl::
   const auto items = static_cast<cl_uint>(scene.gradient_bricks.size() * GRADIENT_ITEMS);
   kernel.setArg(argument++, items);
   kernel.setArg(argument++, device_scene.gradients());
-  launch(context, kernel, items);
+  context.launch(kernel, items);
 }
 
 }  // namespace
@@ -52,7 +46,7 @@ std::vector<float> Probe::run(const char* name, const std::vector<float>& in, st
     kernel.setArg(argument++, static_cast<cl_uint>(count));
     kernel.setArg(argument++, in_buffer);
     kernel.setArg(argument++, out_buffer);
-    launch(context_, kernel, count);
+    context_.launch(kernel, count);
     context_.queue().enqueueReadBuffer(out_buffer, CL_TRUE, 0, out.size() * sizeof(float), out.data());
   } catch (const cl::Error& error) {
     throw RuntimeError(context_.device().title() + ": " + name + ": " + error.what() +

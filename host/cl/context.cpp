@@ -66,6 +66,13 @@ Context::Context(const DeviceInfo& device)
       queue_(context_, device.device, CL_QUEUE_PROFILING_ENABLE),
       allocated_(std::make_shared<std::atomic<std::size_t>>(0)) {}
 
+cl::Event Context::launch(const cl::Kernel& kernel, std::size_t items) const {
+  const std::size_t group = device_.group, groups = std::max<std::size_t>((items + group - 1) / group, 1);
+  cl::Event event;
+  queue_.enqueueNDRangeKernel(kernel, cl::NullRange, cl::NDRange(groups * group), cl::NDRange(group), nullptr, &event);
+  return event;
+}
+
 cl::Buffer Context::buffer(const char* what, std::size_t bytes, const void* data, bool in_place) {
   const std::size_t size = std::max<std::size_t>(bytes, LEAST_BYTES);
   if (size > device_.max_buffer_bytes)

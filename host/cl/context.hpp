@@ -43,6 +43,10 @@ class Context {
     return buffer(what, values.size() * sizeof(T), values.data(), in_place);
   }
 
+  // One item at least: an empty launch compiles a kernel. Of the work-groups that are started, items beyond `items` find
+  // nothing to do. Throws cl::Error.
+  cl::Event launch(const cl::Kernel& kernel, std::size_t items) const;
+
   // Programs that were built in it, by text and options: program_build() looks here first.
   struct Built {
     cl::Program program;

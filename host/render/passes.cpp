@@ -68,8 +68,7 @@ Passes::Passes(Context& context, std::shared_ptr<DeviceScene> device_scene, cons
       storage_(plan.storage),
       has_surfaces_(has_surfaces(device_scene_->flat(), plan)),
       has_specular_(has_specular(device_scene_->flat(), plan)),
-      unit_(static_cast<cl_float>(device_scene_->flat().unit)),
-      group_(context.device().group) {
+      unit_(static_cast<cl_float>(device_scene_->flat().unit)) {
   static_assert(std::size(PASSES) == PASS_COUNT, "one row per pass");
   for (const PassRow& pass : PASSES) stats_.push_back({pass.name, 0, 0});
   create_buffers(batch_rays);
@@ -141,11 +140,7 @@ void Passes::enqueue(Id id, std::size_t items, const Values&... values) {
   running_ = id;
   cl_uint argument = first_argument_[id];
   (kernels_[id].setArg(argument++, values), ...);
-  const std::size_t groups = std::max<std::size_t>((items + group_ - 1) / group_, 1);
-  cl::Event event;
-  context_.queue().enqueueNDRangeKernel(kernels_[id], cl::NullRange, cl::NDRange(groups * group_), cl::NDRange(group_),
-                                        nullptr, &event);
-  enqueued_.push_back({id, items, event});
+  enqueued_.push_back({id, items, context_.launch(kernels_[id], items)});
 }
 
 void Passes::finish() {

@@ -89,7 +89,6 @@ class Passes {
   bool has_surfaces_, has_specular_;
   cl_float unit_;  // FlatScene::unit
   std::size_t wave_rays_ = 0;
-  std::size_t group_;
   std::vector<LightGridWork> light_grids_;
   std::array<cl::Kernel, PASS_COUNT> kernels_;
   std::array<cl_uint, PASS_COUNT> first_argument_{};

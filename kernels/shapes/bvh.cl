@@ -98,6 +98,13 @@ static inline int bvh_open(const Scene* scene, const BoxRay* box, int node, floa
   return nearest.link;
 }
 
+// What waits on the stack no farther than t_max; BVH_ABSENT where nothing does.
+static inline int bvh_pop(const BvhEntry* stack, int* top, float t_max) {
+  while (*top > 0)
+    if (!(stack[--*top].t > t_max)) return stack[*top].link;
+  return BVH_ABSENT;
+}
+
 // Nearest triangle in the blocks of a leaf. Equal distances go to the lower index, whatever the order of visits.
 static inline void leaf_hit(const Scene* scene, const ShearedRay* ray, int link, Hit* hit) {
   const int first = (~link) >> 4, count = (~link) & 15;
@@ -131,7 +138,7 @@ BVH_CALLED void bvh_hit(const Scene* scene, int root, float3 origin, float3 dir,
   const float t_limit = hit->t;
   BvhEntry stack[BVH_STACK];
   int top = 0, link = root;
-  while (1) {
+  while (link != BVH_ABSENT) {
     if (link >= 0) {
       link = bvh_open(scene, &box, link, hit->t, stack, &top);
       if (link != BVH_ABSENT) continue;
@@ -139,10 +146,7 @@ BVH_CALLED void bvh_hit(const Scene* scene, int root, float3 origin, float3 dir,
       leaf_hit(scene, &ray, link, hit);
       if (any && hit->t < t_limit) return;
     }
-    do {
-      if (top == 0) return;
-    } while (stack[--top].t > hit->t);
-    link = stack[top].link;
+    link = bvh_pop(stack, &top, hit->t);
   }
 }
 

@@ -136,7 +136,7 @@ static inline int instances_packet_hit(const Scene* scene, const RayPacket* pack
   float t_max = lanes_most(lanes_load(rays->t));
   BvhEntry stack[BVH_STACK];
   int top = 0, link = scene->frame->instance_root, seen = 0, met = 0;
-  while (1) {
+  while (link != BVH_ABSENT) {
     if (link >= 0) {
       link = packet_open(scene, &box, link, t_max, stack, &top);
       if (link != BVH_ABSENT) continue;
@@ -145,11 +145,9 @@ static inline int instances_packet_hit(const Scene* scene, const RayPacket* pack
       if (++seen >= TOGETHER_TRIED && met <= seen * TOGETHER_LEAST) return 0;
       t_max = lanes_most(lanes_load(rays->t));
     }
-    do {
-      if (top == 0) return 1;
-    } while (stack[--top].t > t_max);
-    link = stack[top].link;
+    link = bvh_pop(stack, &top, t_max);
   }
+  return 1;
 }
 
 #endif

@@ -23,7 +23,7 @@ static inline void instances_hit(const Scene* scene, float3 origin, float3 dir, 
   const BoxRay box = box_ray(origin, dir);
   BvhEntry stack[BVH_STACK];
   int top = 0, link = scene->frame->instance_root;
-  while (1) {
+  while (link != BVH_ABSENT) {
     if (link >= 0) {
       link = bvh_open(scene, &box, link, hit->t, stack, &top);
       if (link != BVH_ABSENT) continue;
@@ -31,10 +31,7 @@ static inline void instances_hit(const Scene* scene, float3 origin, float3 dir, 
       instance_hit(scene, ~link, origin, dir, any, hit);
       if (any && hit->instance != INSTANCE_NONE) return;
     }
-    do {
-      if (top == 0) return;
-    } while (stack[--top].t > hit->t);
-    link = stack[top].link;
+    link = bvh_pop(stack, &top, hit->t);
   }
 }
 

@@ -132,23 +132,14 @@ static inline ShearedPacket packet_shear(const RayPacket* rays, int kz) {
   return r;
 }
 
-// One triangle against all rays: the sums of triangle_hits. p: its first corner's first component.
+// One triangle against all rays. p: its first corner's first component.
 static inline void packet_triangle(const ShearedPacket* r, __global const float* p, int primitive, PacketHit* hit) {
 #define CORNER(c, k) ((floatW)(p[((c)*3 + (k)) * BRUME_BVH_WIDTH]))
-#define SHEARED(c, k, o, s, z) mad_exact(-r->s, z, CORNER(c, r->k) - r->o)
-  const floatW az = CORNER(0, r->kz) - r->oz, bz = CORNER(1, r->kz) - r->oz, cz = CORNER(2, r->kz) - r->oz;
-  const floatW ax = SHEARED(0, kx, ox, sx, az), ay = SHEARED(0, ky, oy, sy, az);
-  const floatW bx = SHEARED(1, kx, ox, sx, bz), by = SHEARED(1, ky, oy, sy, bz);
-  const floatW cx = SHEARED(2, kx, ox, sx, cz), cy = SHEARED(2, ky, oy, sy, cz);
-#undef SHEARED
+  TRIANGLE_EDGES(floatW, CORNER, r);
 #undef CORNER
-  const floatW e0 = cx * by - cy * bx, e1 = ax * cy - ay * cx, e2 = bx * ay - by * ax;
-  const floatW low = fmin_ordered(fmin_ordered(e0, e1), e2), high = fmax_ordered(fmax_ordered(e0, e1), e2);
-  const floatW det = e0 + e1 + e2;
-  const intW inside = ((low >= 0.0f) | (high <= 0.0f)) & (det != 0.0f);
+  const intW inside = TRIANGLE_INSIDE;
   if (!lanes_any(inside)) return;
-  const floatW inv_det = 1.0f / det, u = e1 * inv_det, v = e2 * inv_det;
-  const floatW t = (e0 * inv_det * az + u * bz + v * cz) * r->sz;
+  TRIANGLE_PLACE(floatW, r);
   const intW better = inside & (t > 0.0f) & ((t < hit->t) | ((t == hit->t) & (primitive < hit->primitive)));
   hit->t = lanes_select(hit->t, t, better);
   hit->u = lanes_select(hit->u, u, better);
@@ -182,7 +173,7 @@ BVH_CALLED int packet_hit(const Scene* scene, int root, const RayPacket* rays, i
   float t_max = lanes_most(hit->t);
   BvhEntry stack[BVH_STACK];
   int top = 0, link = root;
-  while (1) {
+  while (link != BVH_ABSENT) {
     if (link >= 0) {
       link = packet_open(scene, &box, link, t_max, stack, &top);
       if (link != BVH_ABSENT) continue;
@@ -190,11 +181,9 @@ BVH_CALLED int packet_hit(const Scene* scene, int root, const RayPacket* rays, i
       packet_leaf(scene, &box, &sheared, link, any, hit, &t_max);
       if (t_max < 0.0f) return 1;
     }
-    do {
-      if (top == 0) return 1;
-    } while (stack[--top].t > t_max);
-    link = stack[top].link;
+    link = bvh_pop(stack, &top, t_max);
   }
+  return 1;
 }
 
 #endif

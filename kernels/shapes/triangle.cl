@@ -31,6 +31,27 @@ static inline ShearedRay ray_shear(float3 origin, float3 dir) {
   return r;
 }
 
+// The sums of the test, once for lanes of triangles and for lanes of rays (packet.cl), which meet at the same bits. r:
+// ShearedRay or ShearedPacket; CORNER(c, k): component k of corner c.
+#define TRIANGLE_ALONG(Lanes, CORNER, r, k, o, s, c, z) mad_exact((Lanes)(-(r)->s), z, CORNER(c, (r)->k) - (r)->o)
+#define TRIANGLE_EDGES(Lanes, CORNER, r)                                                                               \
+  const Lanes az = CORNER(0, (r)->kz) - (r)->oz, bz = CORNER(1, (r)->kz) - (r)->oz, cz = CORNER(2, (r)->kz) - (r)->oz; \
+  const Lanes ax = TRIANGLE_ALONG(Lanes, CORNER, r, kx, ox, sx, 0, az);                                                \
+  const Lanes ay = TRIANGLE_ALONG(Lanes, CORNER, r, ky, oy, sy, 0, az);                                                \
+  const Lanes bx = TRIANGLE_ALONG(Lanes, CORNER, r, kx, ox, sx, 1, bz);                                                \
+  const Lanes by = TRIANGLE_ALONG(Lanes, CORNER, r, ky, oy, sy, 1, bz);                                                \
+  const Lanes cx = TRIANGLE_ALONG(Lanes, CORNER, r, kx, ox, sx, 2, cz);                                                \
+  const Lanes cy = TRIANGLE_ALONG(Lanes, CORNER, r, ky, oy, sy, 2, cz);                                                \
+  const Lanes e0 = cx * by - cy * bx, e1 = ax * cy - ay * cx, e2 = bx * ay - by * ax; /* no fma: see above */          \
+  const Lanes low = fmin_ordered(fmin_ordered(e0, e1), e2), high = fmax_ordered(fmax_ordered(e0, e1), e2);             \
+  const Lanes det = e0 + e1 + e2
+#define TRIANGLE_INSIDE (((low >= 0.0f) | (high <= 0.0f)) & (det != 0.0f))
+// inv_det: inf for a degenerate or edge-on triangle. Shares before lengths: three lengths of a small triangle in a large
+// scene multiply to nothing.
+#define TRIANGLE_PLACE(Lanes, r)                                        \
+  const Lanes inv_det = 1.0f / det, u = e1 * inv_det, v = e2 * inv_det; \
+  const Lanes t = (e0 * inv_det * az + u * bz + v * cz) * (r)->sz
+
 typedef struct {
   BvhLanes t, u, v;
 } TriangleHits;
@@ -38,23 +59,14 @@ typedef struct {
 // Which triangles are hit at 0 < t <= t_max. p: 9 runs of BRUME_BVH_WIDTH floats, the block's first lane of this group.
 static inline BvhMask triangle_hits(const ShearedRay* r, __global const float* p, float t_max, TriangleHits* hits) {
 #define CORNER(c, k) bvh_load(p + ((c)*3 + (k)) * BRUME_BVH_WIDTH)
-#define SHEARED(c, k, o, s, z) mad_exact((BvhLanes)(-r->s), z, CORNER(c, r->k) - r->o)
-  const BvhLanes az = CORNER(0, r->kz) - r->oz, bz = CORNER(1, r->kz) - r->oz, cz = CORNER(2, r->kz) - r->oz;
-  const BvhLanes ax = SHEARED(0, kx, ox, sx, az), ay = SHEARED(0, ky, oy, sy, az);
-  const BvhLanes bx = SHEARED(1, kx, ox, sx, bz), by = SHEARED(1, ky, oy, sy, bz);
-  const BvhLanes cx = SHEARED(2, kx, ox, sx, cz), cy = SHEARED(2, ky, oy, sy, cz);
-#undef SHEARED
+  TRIANGLE_EDGES(BvhLanes, CORNER, r);
 #undef CORNER
-  const BvhLanes e0 = cx * by - cy * bx, e1 = ax * cy - ay * cx, e2 = bx * ay - by * ax;  // no fma: see above
-  const BvhLanes low = fmin_ordered(fmin_ordered(e0, e1), e2), high = fmax_ordered(fmax_ordered(e0, e1), e2);
-  const BvhLanes det = e0 + e1 + e2;
-  if (bvh_mask(((low >= 0.0f) | (high <= 0.0f)) & (det != 0.0f)) == 0) return 0;
-  const BvhLanes inv_det = 1.0f / det;  // inf for a degenerate or edge-on triangle
-  hits->u = e1 * inv_det;
-  hits->v = e2 * inv_det;
-  // shares before lengths: three lengths of a small triangle in a large scene multiply to nothing
-  hits->t = (e0 * inv_det * az + hits->u * bz + hits->v * cz) * r->sz;
-  return bvh_mask(((low >= 0.0f) | (high <= 0.0f)) & (det != 0.0f) & (hits->t > 0.0f) & (hits->t <= t_max));
+  if (bvh_mask(TRIANGLE_INSIDE) == 0) return 0;
+  TRIANGLE_PLACE(BvhLanes, r);
+  hits->t = t;
+  hits->u = u;
+  hits->v = v;
+  return bvh_mask(TRIANGLE_INSIDE & (t > 0.0f) & (t <= t_max));
 }
 
 #endif

@@ -17,6 +17,8 @@ dvec3 torus_normal(int i, int j) {
   return {std::cos(a) * std::cos(b), std::sin(b), std::sin(a) * std::cos(b)};
 }
 
+}  // namespace
+
 Mesh torus_mesh() {
   Mesh mesh;
   for (int i = 0; i <= AROUND; ++i)  // the seams twice: their texture coordinates differ
@@ -34,6 +36,8 @@ Mesh torus_mesh() {
         mesh.triangles.push_back({t, t, t, -1});
   return mesh;
 }
+
+namespace {
 
 // A tetrahedron, half of which shines by itself.
 Mesh rod_mesh() {

@@ -2,6 +2,7 @@
 #pragma once
 #include "check/check.hpp"
 #include "check/probe.hpp"
+#include "mesh/mesh.hpp"
 #include "scene/scene_desc.hpp"
 
 namespace brume {
@@ -40,6 +41,7 @@ PlannedScene check_scene(const std::string& name, int size, int bvh_width);
 
 // The meshes that they name, without files.
 LoadedScene check_meshes();
+Mesh torus_mesh();  // one of them, smooth
 
 // Image textures without a file, added to a scene: 32 x 24 random texels, repeated; and the same, wrapped otherwise, in
 // other units. Return the texture's index.

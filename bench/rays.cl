@@ -18,14 +18,20 @@ RAYS(rays_alone) {
   if (item < count) nearest_alone(&scene, in + 7 * item, out + 2 * item);
 }
 
+#if W > 1
+static inline void lanes_hit(const Scene* scene, __global const float* in, int any, RayLanes* rays) {
+  for (uint i = 0; i < W; ++i) {
+    __global const float* ray = in + 7 * i;
+    ray_lane_set(rays, i, ray_vector(ray), ray_vector(ray + 3), ray[6]);
+  }
+  rays_hit(scene, rays, any);
+}
+#endif
+
 OUTLINED void nearest_together(const Scene* scene, __global const float* in, __global float* out) {
 #if W > 1
   RayLanes rays;
-  for (uint i = 0; i < W; ++i) {
-    __global const float* ray = in + 7 * i;
-    ray_lane_set(&rays, i, ray_vector(ray), ray_vector(ray + 3), ray[6]);
-  }
-  rays_hit(scene, &rays, 0);
+  lanes_hit(scene, in, 0, &rays);
   for (uint i = 0; i < W; ++i) {
     out[2 * i] = rays.hit[i].primitive == PRIMITIVE_NONE ? INFINITY : rays.hit[i].t;
     out[2 * i + 1] = as_float(rays.hit[i].primitive);
@@ -56,11 +62,7 @@ RAYS(rays_occluded) {
 OUTLINED void any_together(const Scene* scene, __global const float* in, __global float* out) {
 #if W > 1
   RayLanes rays;
-  for (uint i = 0; i < W; ++i) {
-    __global const float* ray = in + 7 * i;
-    ray_lane_set(&rays, i, ray_vector(ray), ray_vector(ray + 3), ray[6]);
-  }
-  rays_hit(scene, &rays, 1);
+  lanes_hit(scene, in, 1, &rays);
   for (uint i = 0; i < W; ++i) out[2 * i] = (float)(rays.hit[i].primitive != PRIMITIVE_NONE);
 #else
   any_alone(scene, in, out);

@@ -75,14 +75,18 @@ class Halving {
   }
   bool whole(ivec3 hi) const { return span(0, hi.x).whole && span(1, hi.y).whole && span(2, hi.z).whole; }
 
+  // Whether the coarse samples lo ... hi are one value, as which they are then there.
+  bool one_value(ivec3 lo, ivec3 hi) {
+    const std::optional<float> one = fine_.one_value(first_of(lo), last_of(hi));
+    if (!one || (*one != 0 && !whole(hi))) return false;
+    if (*one != 0) coarse_.fill(lo, hi, *one);
+    return true;
+  }
+
   void group(ivec3 g) {
     const ivec3 lo = g * (GRID_GROUP * GRID_BLOCK),
                 hi = glm::min(lo + (GRID_GROUP * GRID_BLOCK - 1), coarse_.size() - 1);
-    const std::optional<float> one = fine_.one_value(first_of(lo), last_of(hi));
-    if (one && (*one == 0 || whole(hi))) {
-      if (*one != 0) coarse_.fill(lo, hi, *one);
-      return;
-    }
+    if (one_value(lo, hi)) return;
     const ivec3 from = lo / GRID_BLOCK, to = hi / GRID_BLOCK;
     for (ivec3 b = from; b.z <= to.z; ++b.z)
       for (b.y = from.y; b.y <= to.y; ++b.y)
@@ -91,11 +95,7 @@ class Halving {
 
   void block(ivec3 b) {
     const ivec3 lo = b * GRID_BLOCK, hi = glm::min(lo + (GRID_BLOCK - 1), coarse_.size() - 1);
-    const std::optional<float> one = fine_.one_value(first_of(lo), last_of(hi));
-    if (one && (*one == 0 || whole(hi))) {
-      if (*one != 0) coarse_.fill(lo, hi, *one);
-      return;
-    }
+    if (one_value(lo, hi)) return;
     std::array<float, GRID_BLOCK * GRID_BLOCK * GRID_BLOCK> values{};
     for (ivec3 i = lo; i.z <= hi.z; ++i.z)
       for (i.y = lo.y; i.y <= hi.y; ++i.y)

@@ -57,6 +57,17 @@ TEST_P(LongCheck, KernelsAgreeAtThisSize) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, LongCheck, testing::Values(16, 24, 32, 48, 96), testing::PrintToStringParamName());
 
+TEST(CheckOptionsTest, LeavesOutWhatIsSkipped) {
+  CheckOptions options;
+  options.lanes = {4};
+  options.filter = "layout/P";
+  const std::vector<CheckRow> all = check_run(pocl(), options, expect_passed);
+  options.skip = {"nothing", "/Packed3"};
+  const std::vector<CheckRow> rest = check_run(pocl(), options, expect_passed);
+  ASSERT_EQ(rest.size() + 1, all.size());
+  for (const CheckRow& row : rest) EXPECT_NE(row.name, "layout/Packed3");
+}
+
 TEST(CheckRow, AMissIsSeen) {
   ErrorSum sum("x", 1, "hit");
   sum.add(1.0, 1.0);

@@ -43,8 +43,8 @@ class Context {
     return buffer(what, values.size() * sizeof(T), values.data(), in_place);
   }
 
-  // One item at least: an empty launch compiles a kernel. Of the work-groups that are started, items beyond `items` find
-  // nothing to do. Throws cl::Error.
+  // One group at least: an empty launch compiles a kernel. Items of the last group beyond `items` run too, and have to
+  // find nothing to do. Throws cl::Error.
   cl::Event launch(const cl::Kernel& kernel, std::size_t items) const;
 
   // Programs that were built in it, by text and options: program_build() looks here first.

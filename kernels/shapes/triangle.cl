@@ -46,8 +46,8 @@ static inline ShearedRay ray_shear(float3 origin, float3 dir) {
   const Lanes low = fmin_ordered(fmin_ordered(e0, e1), e2), high = fmax_ordered(fmax_ordered(e0, e1), e2);             \
   const Lanes det = e0 + e1 + e2
 #define TRIANGLE_INSIDE (((low >= 0.0f) | (high <= 0.0f)) & (det != 0.0f))
-// inv_det: inf for a degenerate or edge-on triangle. Shares before lengths: three lengths of a small triangle in a large
-// scene multiply to nothing.
+// inv_det: inf for a degenerate or edge-on triangle. Shares before lengths: three lengths of a small triangle in a
+// large scene multiply to nothing.
 #define TRIANGLE_PLACE(Lanes, r)                                        \
   const Lanes inv_det = 1.0f / det, u = e1 * inv_det, v = e2 * inv_det; \
   const Lanes t = (e0 * inv_det * az + u * bz + v * cz) * (r)->sz

@@ -7,6 +7,7 @@
 #include "check/check_images.hpp"
 #include "plan/planned_scene.hpp"
 #include "reference/medium.hpp"
+#include "render/renderer.hpp"
 #include "scene/families.hpp"
 #include "scene/scene_reader.hpp"
 #include "stability/stability_parts.hpp"
@@ -186,7 +187,7 @@ Film world_film(const StabilityRun& run, const World& world) {
   }
   m.sigma_a /= world.scale * world.density;
   m.sigma_s /= world.scale * world.density;
-  return render_film(run.context(), flatten(desc, {std::max(run.lanes(), 4), {}}), run.lanes());
+  return render_film(run.context(), flatten(desc, {bvh_width_for(run.lanes()), {}}), run.lanes());
 }
 
 // Largest difference of two pictures where both see the same surface: relative, with a floor of 1e-2.

@@ -11,6 +11,7 @@
 #include "plan/planned_scene.hpp"
 #include "reference/medium.hpp"
 #include "reference/scatter.hpp"
+#include "render/renderer.hpp"
 #include "scene/families.hpp"
 #include "scene/scene_reader.hpp"
 #include "shared/method.h"
@@ -64,7 +65,7 @@ PlannedScene StabilityRun::cube(const std::string& density, const std::string& m
       (medium.empty() ? "" : ", " + medium) + R"(}],
       "render": {"method": ")" +
       std::string(family_name(method_family(), method_)) + "\"" + (render.empty() ? "" : ", " + render) + "}}";
-  return flatten(scene_read_text(text, "stability.json", {}), {std::max(lanes_, 4), {}});
+  return flatten(scene_read_text(text, "stability.json", {}), {bvh_width_for(lanes_), {}});
 }
 
 void StabilityRun::record(const std::string& remark) { row_.remark += (row_.remark.empty() ? "" : "; ") + remark; }

@@ -30,7 +30,7 @@ const std::vector<SceneText>& instance_scenes() {
   "camera": {"eye": [0.5, 1.6, 3.4], "target": [0, 0, 0], "vfov": 40}, "background": [0.05, 0.05, 0.1],
   "lights": [{"type": "directional", "direction": [-0.5, -1, -0.4], "irradiance": [0.5, 0.5, 0.5]}],
   "materials": {"grey": {"model": "phong", "diffuse": 0.5, "specular": 0.3, "shininess": 10},
-                "glow": {"diffuse": 0, "emission": [3, 2, 1]}},
+                "glow": {"diffuse": 0.4, "emission": [3, 2, 1]}},
   "shapes": [{"type": "quad", "corner": [-2, -0.7, -2], "u": [0, 0, 4], "v": [4, 0, 0], "material": "grey"},
              {"type": "mesh", "file": "rod.obj", "material": "glow",
               "instances": [[{"scale": [0.6, 1.2, 0.4]}, {"translate": [-0.7, 0, 0.2]}],

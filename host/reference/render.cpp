@@ -24,6 +24,11 @@ struct Lit {
   uint lights = 0;  // bit i: light i (mod 32) reaches the surface
 };
 
+// Whether the light lies in the plane of the surface, but for what the point was rounded by.
+bool in_plane(const SurfaceD& surface, const LightSample& light) {
+  return std::abs(light.distance * glm::dot(surface.geometric_normal, light.travel)) <= surface.ray_epsilon;
+}
+
 // `weight`: of what it scatters, in the sample.
 Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& view_dir, const dvec3& weight,
                   const RandomStream& random, double& lookups) {
@@ -33,8 +38,9 @@ Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& 
   uint n = 0;
   for (const LightPick& pick : light_picks(scene, random, 0, context.exact())) {
     const RandomStream shadow = random.child(STREAM_LIGHT + n++);
-    const dvec3 to_light = -light_at(scene, scene.lights[pick.light], surface.point, random).travel;
-    if (!(glm::dot(surface.normal, to_light) > 0)) continue;
+    const LightSample light = light_at(scene, scene.lights[pick.light], surface.point, random);
+    const dvec3 to_light = -light.travel;
+    if (!(glm::dot(surface.normal, to_light) > 0) || in_plane(surface, light)) continue;
     const dvec3 reflected = surface_reflect(scene, surface, view_dir, -to_light), seen = weight * reflected;
     if (material.refraction > 0 && std::max({seen.x, seen.y, seen.z}) < scene.frame.cutoff) continue;
     const dvec3 origin = surface_leave(surface, to_light);

@@ -6,12 +6,14 @@
 #include "materials/material.cl"
 #include "media/tau.cl"
 
-// The light of a shadow ray and where the ray begins; 0 where the light comes from behind.
+// The light of a shadow ray and where the ray begins; 0 where the light comes from behind, or lies in the plane of the
+// surface but for what its point was rounded by: so do neighbours of a solid that emits, along the edge.
 static inline int shadow_ray(const Scene* scene, const Surface* surface, LightPick pick, Random random,
                              LightSample* light, float3* from) {
   *light = light_sample(scene, pick.light, surface->point, random);
   *from = surface_leave(surface, -light->travel);
-  return dot(surface->normal, -light->travel) > 0.0f;
+  const float height = fabs(light->distance * dot(surface->geometric_normal, light->travel));
+  return dot(surface->normal, -light->travel) > 0.0f && !(height <= surface->epsilon);
 }
 
 // What it scatters of the light of shadow ray n; none where that comes from behind or something blocks it. `weight`: of

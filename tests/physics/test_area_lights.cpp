@@ -120,6 +120,22 @@ TEST(AreaLights, LightsMediaAsThePointLightInItsMiddle) {
   expect_relative(sphere, point, LIMIT, "fog");
 }
 
+// Of what lies in the plane of the floor but for rounding, nothing arrives: neighbours of a solid that emits would
+// else light each other along their edge, by height over the cube of the distance.
+TEST(AreaLights, WhatLiesInThePlaneLightsNothing) {
+  const auto beside = [](double height) {
+    std::ostringstream triangle;
+    triangle << R"(, {"type": "triangle", "material": "lamp", "vertices": [[0.001, )" << height - 0.5
+             << ", -0.5], [0.001, " << height - 0.5 << ", 0.5], [0.001, " << height + 1 << ", 0]]}";
+    return radiance_of(floor_under(triangle.str()),
+                       {"/render/light_points=centroid", "/render/light_samples=1"});
+  };
+  const double area = 0.75, off = 1e-3, square = 2 * off * off;
+  expect_relative(beside(off), 2 * area / 2 / square / M_PI, LIMIT, "above the floor");
+  EXPECT_EQ(beside(1e-7), 0);
+  EXPECT_EQ(beside(-1e-7), 0);
+}
+
 // Places are drawn by the seed; middles are not.
 TEST(AreaLights, MiddlesAreWithoutNoise) {
   const std::string square = floor_under(quad({-0.5, 0.8, -0.5}, {1, 0, 0}, {0, 0, 1}));

@@ -1,5 +1,7 @@
 // What a light would send to a point if nothing stood in between.
 #pragma once
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <vector>
 
 #include "plan/render_plan.hpp"
@@ -14,6 +16,10 @@ struct LightSample {
   dvec3 irradiance{0};  // E at normal incidence
   double distance = 0;  // to the light; infinite for a directional one
   double reach = 0;     // surfaces nearer than this block it: one that is a light is none of them itself
+  // Of the point whose normal that is, but for what it was rounded by.
+  bool in_plane(const dvec3& normal, double epsilon) const {
+    return std::abs(distance * glm::dot(normal, travel)) <= epsilon;
+  }
   bool shines() const { return irradiance.x > 0 || irradiance.y > 0 || irradiance.z > 0; }
 };
 

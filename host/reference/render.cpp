@@ -24,11 +24,6 @@ struct Lit {
   uint lights = 0;  // bit i: light i (mod 32) reaches the surface
 };
 
-// Whether the light lies in the plane of the surface, but for what the point was rounded by.
-bool in_plane(const SurfaceD& surface, const LightSample& light) {
-  return std::abs(light.distance * glm::dot(surface.geometric_normal, light.travel)) <= surface.ray_epsilon;
-}
-
 // `weight`: of what it scatters, in the sample.
 Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& view_dir, const dvec3& weight,
                   const RandomStream& random, double& lookups) {
@@ -40,11 +35,12 @@ Lit surface_light(const Context& context, const SurfaceD& surface, const dvec3& 
     const RandomStream shadow = random.child(STREAM_LIGHT + n++);
     const LightSample light = light_at(scene, scene.lights[pick.light], surface.point, random);
     const dvec3 to_light = -light.travel;
-    if (!(glm::dot(surface.normal, to_light) > 0) || in_plane(surface, light)) continue;
+    if (!(glm::dot(surface.normal, to_light) > 0) || light.in_plane(surface.geometric_normal, surface.ray_epsilon))
+      continue;
     const dvec3 reflected = surface_reflect(scene, surface, view_dir, -to_light), seen = weight * reflected;
     if (material.refraction > 0 && std::max({seen.x, seen.y, seen.z}) < scene.frame.cutoff) continue;
-    const dvec3 origin = surface_leave(surface, to_light);
-    const Arrival arrival = light_arrival(context, pick.light, surface.point, origin, random, shadow, lookups);
+    const Arrival arrival =
+        light_arrival(context, pick.light, surface.point, surface_leave(surface, to_light), random, shadow, lookups);
     if (arrival.blocked) continue;
     lit.lights |= 1u << (pick.light % 32);
     lit.radiance += pick.weight * arrival.irradiance * reflected;

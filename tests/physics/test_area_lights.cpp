@@ -127,8 +127,7 @@ TEST(AreaLights, WhatLiesInThePlaneLightsNothing) {
     std::ostringstream triangle;
     triangle << R"(, {"type": "triangle", "material": "lamp", "vertices": [[0.001, )" << height - 0.5
              << ", -0.5], [0.001, " << height - 0.5 << ", 0.5], [0.001, " << height + 1 << ", 0]]}";
-    return radiance_of(floor_under(triangle.str()),
-                       {"/render/light_points=centroid", "/render/light_samples=1"});
+    return radiance_of(floor_under(triangle.str()), {"/render/light_points=centroid", "/render/light_samples=1"});
   };
   const double area = 0.75, off = 1e-3, square = 2 * off * off;
   expect_relative(beside(off), 2 * area / 2 / square / M_PI, LIMIT, "above the floor");

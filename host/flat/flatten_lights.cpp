@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
+#include <vector>
 
 #include "base/error.hpp"
 #include "flat/flatten_parts.hpp"
@@ -126,18 +127,15 @@ class Emitters {
   }
 
   void instances_add() {
+    own_find();
     count_check();
     for (std::size_t k = 0; k < scene_.instances.size(); ++k) {
       const Instance& instance = scene_.instances[k];
-      if (instance.material >= 0 && !lights_up(instance.material)) continue;
       const FlatMesh& mesh = scene_.meshes[static_cast<std::size_t>(instance.mesh)];
-      const dmat4 world_from_mesh = matrix(instance.world_from_mesh);
-      for (std::int32_t i = mesh.first; i < mesh.first + mesh.count; ++i) {
-        const Triangle& t = scene_.triangles[static_cast<std::size_t>(i)];
-        const int material = instance.material >= 0 ? instance.material : t.material;
-        if (lights_up(material))
-          source_add(FIRST_TRIANGLE + i, static_cast<int>(k), emission(material), extent_of(t, world_from_mesh),
-                     scene_);
+      if (instance.material < 0) {
+        for (const int i : own_[static_cast<std::size_t>(instance.mesh)]) instance_add(k, i);
+      } else if (lights_up(instance.material)) {
+        for (int i = mesh.first; i < mesh.first + mesh.count; ++i) instance_add(k, i);
       }
     }
   }
@@ -149,16 +147,20 @@ class Emitters {
   }
   const Packed3& emission(int material) const { return scene_.materials[static_cast<std::size_t>(material)].emission; }
 
+  void own_find() {
+    for (const FlatMesh& mesh : scene_.meshes) {
+      own_.emplace_back();
+      for (int i = mesh.first; i < mesh.first + mesh.count; ++i)
+        if (lights_up(scene_.triangles[static_cast<std::size_t>(i)].material)) own_.back().push_back(i);
+    }
+  }
+
   // Each triangle of each instance is a light; so many that there is no room for them are refused.
   void count_check() const {
-    std::vector<std::size_t> own(scene_.meshes.size(), 0);  // triangles whose own material emits
-    for (std::size_t m = 0; m < own.size(); ++m)
-      for (std::int32_t i = scene_.meshes[m].first; i < scene_.meshes[m].first + scene_.meshes[m].count; ++i)
-        own[m] += lights_up(scene_.triangles[static_cast<std::size_t>(i)].material);
     std::size_t lights = 0;
     for (const Instance& instance : scene_.instances) {
       const auto m = static_cast<std::size_t>(instance.mesh);
-      if (instance.material < 0) lights += own[m];
+      if (instance.material < 0) lights += own_[m].size();
       if (instance.material >= 0 && lights_up(instance.material))
         lights += static_cast<std::size_t>(scene_.meshes[m].count);
     }
@@ -168,8 +170,16 @@ class Emitters {
                        std::to_string(INSTANCE_LIGHTS_MAX) + " are allowed, a material with \"light\": false has none");
   }
 
+  void instance_add(std::size_t instance, int triangle) {
+    const Instance& at = scene_.instances[instance];
+    const Triangle& t = scene_.triangles[static_cast<std::size_t>(triangle)];
+    source_add(FIRST_TRIANGLE + triangle, static_cast<int>(instance),
+               emission(at.material >= 0 ? at.material : t.material), extent_of(t, matrix(at.world_from_mesh)), scene_);
+  }
+
   const SceneDesc& desc_;
   FlatScene& scene_;
+  std::vector<std::vector<int>> own_;  // of each mesh with instances: triangles whose own material emits
 };
 
 }  // namespace

@@ -95,10 +95,18 @@ void surface_add(ErrorSum& sum, const float* found, const reference::SurfaceD& e
   }
 }
 
+// Kernels ask for the uv of what has a texture alone.
+PlannedScene textured(PlannedScene scene) {
+  scene.textures.assign(1, Texture{});
+  scene.textures[0].type = TEXTURE_CHECKER;
+  for (Material& material : scene.materials) material.texture = 0;
+  return scene;
+}
+
 // Normals and uv at the kernel's own hits.
 CheckCompare surface_prepare(const SceneMake& make, int size) {
   return [make, rays = rays_make(size * size)](Context& context, int lanes, ErrorSum& sum) {
-    const PlannedScene scene = make(bvh_width_for(lanes));
+    const PlannedScene scene = textured(make(bvh_width_for(lanes)));
     const Probe probe(context, scene, lanes);
     const std::vector<float> hits = probe.run("probe_hit", rays.packed, 7, HIT_VALUES);
     std::vector<float> in;

@@ -31,8 +31,15 @@ static inline float surface_epsilon(const Scene* scene, float3 point, const Hit*
   return 0x1p-17f * size;
 }
 
+static inline int is_textured(const Scene* scene, int material) {
+  return BRUME_TEXTURED &&
+         (scene->materials[material].texture >= 0 || scene->materials[material].emission_texture >= 0);
+}
+
+// uv of shapes are 0 where no texture asks: azimuths take longer than the rest of a sphere.
 static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* hit) {
   Surface s;
+  s.uv = (float2)(0.0f);
   const float3 dir = vec_unpack(ray->dir);
   s.point = vec_point(vec_unpack(ray->origin), dir, hit->t);
   int known = -1;  // whether the ray comes from inside, where the hit says so
@@ -49,10 +56,9 @@ static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* 
     s.material = shape.material;
     if (USES_SHAPE(ISOSURFACE) && shape.type == SHAPE_ISOSURFACE) {
       s.normal = isosurface_normals(scene, &shape, s.point, dir, hit, &s.geometric_normal);
-      s.uv = (float2)(0.0f);
       known = hit->v > 0.0f;
     } else {
-      s.normal = s.geometric_normal = shape_normal(&shape, s.point, &s.uv);
+      s.normal = s.geometric_normal = shape_normal(&shape, s.point, is_textured(scene, s.material) ? &s.uv : 0);
     }
   }
   s.leaving = known >= 0 ? known : dot(s.geometric_normal, dir) > 0.0f;

@@ -20,14 +20,14 @@ static inline float3 box_normal(const Shape* shape, float3 point, float2* uv) {
   const float3 d =
       (float3)(fmin(fabs(p.x), fabs(1.0f - p.x)), fmin(fabs(p.y), fabs(1.0f - p.y)), fmin(fabs(p.z), fabs(1.0f - p.z)));
   if (d.x <= d.y && d.x <= d.z) {
-    *uv = p.yz;
+    if (uv) *uv = p.yz;
     return vec_unit((float3)(a.m[0], a.m[1], a.m[2])) * (p.x < 0.5f ? -1.0f : 1.0f);
   }
   if (d.y <= d.z) {
-    *uv = p.xz;
+    if (uv) *uv = p.xz;
     return vec_unit((float3)(a.m[4], a.m[5], a.m[6])) * (p.y < 0.5f ? -1.0f : 1.0f);
   }
-  *uv = p.xy;
+  if (uv) *uv = p.xy;
   return vec_unit((float3)(a.m[8], a.m[9], a.m[10])) * (p.z < 0.5f ? -1.0f : 1.0f);
 }
 

@@ -60,10 +60,10 @@ static inline float3 cylinder_normal(const Shape* shape, float3 point, float2* u
   const float from_side = fabs(c.radius - radial);
   const float from_cap = fmin(fabs(p.z), fabs(c.height - p.z));
   if (from_cap < from_side) {
-    *uv = (float2)(0.5f * (p.x / c.radius + 1.0f), 0.5f * (p.y / c.radius + 1.0f));
+    if (uv) *uv = (float2)(0.5f * (p.x / c.radius + 1.0f), 0.5f * (p.y / c.radius + 1.0f));
     return p.z < 0.5f * c.height ? -c.axis : c.axis;
   }
-  *uv = (float2)(azimuth(p.y, p.x), p.z / c.height);
+  if (uv) *uv = (float2)(azimuth(p.y, p.x), p.z / c.height);
   return (p.x * c.side_x + p.y * c.side_y) / radial;
 }
 

@@ -14,7 +14,7 @@ static inline float plane_hit(const Shape* shape, float3 origin, float3 dir) {
 
 static inline float3 plane_normal(const Shape* shape, float3 point, float2* uv) {
   const float3 n = shape_vec(shape, 3), u = shape_vec(shape, 6), from = point - shape_vec(shape, 0);
-  *uv = (float2)(dot(from, u), dot(from, cross(n, u)));
+  if (uv) *uv = (float2)(dot(from, u), dot(from, cross(n, u)));
   return n;
 }
 

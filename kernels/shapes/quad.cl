@@ -17,7 +17,7 @@ static inline float quad_hit(const Shape* shape, float3 origin, float3 dir) {
 }
 
 static inline float3 quad_normal(const Shape* shape, float3 point, float2* uv) {
-  *uv = quad_coordinates(shape, point);
+  if (uv) *uv = quad_coordinates(shape, point);
   return shape_vec(shape, 3);
 }
 

@@ -21,13 +21,12 @@ static inline float shape_hit(const Shape* shape, float3 origin, float3 dir) {
   return INFINITY;
 }
 
-// Outward unit normal and uv of the surface to which the point is nearest.
+// Outward unit normal of the surface to which the point is nearest, and its uv where that is asked for.
 static inline float3 shape_normal(const Shape* shape, float3 point, float2* uv) {
 #define ROW(id, name, help) \
   if (USES_SHAPE(id) && shape->type == SHAPE_##id) return name##_normal(shape, point, uv);
   BRUME_CLOSED_FORMS(ROW)
 #undef ROW
-  *uv = (float2)(0.0f);
   return (float3)(0.0f, 0.0f, 1.0f);
 }
 

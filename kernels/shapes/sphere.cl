@@ -27,7 +27,7 @@ static inline float2 sphere_uv(float3 normal) {
 
 static inline float3 sphere_normal(const Shape* shape, float3 point, float2* uv) {
   const float3 n = normalize(point - shape_vec(shape, 0));
-  *uv = sphere_uv(n);
+  if (uv) *uv = sphere_uv(n);
   return n;
 }
 

@@ -69,7 +69,7 @@ static inline float3 material_reflect(const Material* m, float3 diffuse, float3 
   if (m->model != MATERIAL_LAMBERT) {
     const float cosine = m->model == MATERIAL_PHONG ? dot(2.0f * n_dot_l * n - to_light, to_viewer)
                                                     : dot(n, normalize(to_light + to_viewer));
-    if (cosine > 0.0f) out += vec_unpack(m->specular) * pow(cosine, m->shininess);
+    if (cosine > 0.0f) out += vec_unpack(m->specular) * exp2(m->shininess * log2(cosine));
   }
   return out;
 }

@@ -10,9 +10,10 @@ __kernel void secondary_rays(uint count, __global const Hit* hits, __global cons
                              __global Ray* rays) {
   const uint item = (uint)get_global_id(0);
   if (item >= count) return;
-  const Sample sample = samples[item];
+  const uint begin = samples[item].first_ray, end = begin + samples[item].rays;
+  if (begin == end) return;
   uint next = first[item];
-  for (uint i = sample.first_ray; i < sample.first_ray + sample.rays; ++i) {
+  for (uint i = begin; i < end; ++i) {
     if (hits[i].primitive == PRIMITIVE_NONE) continue;
     for (uint k = 0; k < surfaces[i].sent; ++k) rays[next++] = sent[(size_t)SENT_MAX * i + k];
   }

@@ -63,9 +63,14 @@ __kernel void shade(SCENE_ARGS, uint wave, uint count, __global const Ray* rays,
                     __global Sample* samples, __global uint* sent) {
   const uint item = (uint)get_global_id(0);
   if (item >= count) return;
+#if BRUME_SPECULAR
+  if (wave > 0 && samples[item].rays == 0) {
+    sent[item] = 0;
+    return;
+  }
+#endif
   const Scene scene = SCENE_PACK;
-  Sample sample = samples[item];
-  if (wave == 0) sample = sample_begin(item);
+  Sample sample = wave == 0 ? sample_begin(item) : samples[item];
   uint total = 0;
   // What rounding takes is put back: of thousands of rays it would be seen [Kahan65].
   float3 sum = vec_unpack(sample.radiance), lost = (float3)(0.0f);

@@ -23,8 +23,9 @@ struct BvhBox {
 // At least one triangle. Deterministic, on all cores. Fits the traversal's stack whatever the triangles are. Throws
 // RuntimeError for more blocks than the 27 bits of a leaf link.
 int bvh_append(FlatBvh& bvh, const std::vector<Triangle>& triangles, std::size_t first, int width, int rule = BVH_SAH);
-// The same over boxes, one or more: nodes alone, the link to box i is ~i.
-int bvh_append_boxes(FlatBvh& bvh, const std::vector<BvhBox>& boxes, int width);
+// The same over boxes, one or more: nodes alone, the link to box i is ~names[i]; without names ~i.
+int bvh_append_boxes(FlatBvh& bvh, const std::vector<BvhBox>& boxes, int width,
+                     const std::vector<std::int32_t>& names = {});
 // Of all triangles, root 0. No triangles: empty arrays.
 FlatBvh bvh_build(const std::vector<Triangle>& triangles, int width, int rule = BVH_SAH);
 

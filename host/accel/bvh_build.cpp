@@ -54,10 +54,13 @@ int bvh_append(FlatBvh& bvh, const std::vector<Triangle>& triangles, std::size_t
   return bvh_collapse(bvh, bvh_build_binary(boxes, width, rule), triangles, first, width);
 }
 
-int bvh_append_boxes(FlatBvh& bvh, const std::vector<BvhBox>& boxes, int width) {
+int bvh_append_boxes(FlatBvh& bvh, const std::vector<BvhBox>& boxes, int width,
+                     const std::vector<std::int32_t>& names) {
   const BinaryBvh tree = bvh_build_binary(boxes, 1, BVH_SAH);
-  return bvh_collapse(bvh, tree, width,
-                      [&](const BinaryNode& leaf) { return ~static_cast<std::int32_t>(tree.order[leaf.first]); });
+  return bvh_collapse(bvh, tree, width, [&](const BinaryNode& leaf) {
+    const std::uint32_t box = tree.order[leaf.first];
+    return ~(names.empty() ? static_cast<std::int32_t>(box) : names[box]);
+  });
 }
 
 FlatBvh bvh_build(const std::vector<Triangle>& triangles, int width, int rule) {

@@ -50,6 +50,8 @@ struct FlatScene {
   std::vector<float> texels;  // 3 per texel, linear RGB
 
   std::vector<Shape> shapes;
+  std::vector<std::int32_t> shape_list;  // those that every ray tries: all, or all but those behind a BVH
+  int shape_root = -1;                   // of the BVH over the others; -1: none
   std::vector<Isosurface> isosurfaces;
   std::vector<uint> iso_masks;      // which cells of a brick each of them may cross
   std::vector<Triangle> triangles;  // in the world, then those of each mesh with instances in its own space

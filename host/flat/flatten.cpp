@@ -56,6 +56,7 @@ FlatScene scene_flatten(const SceneDesc& given, LoadedScene& loaded, int bvh_wid
   flatten_materials(desc, loaded, shapes, scene);
   flatten_shapes(shapes, scene);
   flatten_meshes(shapes, scene);
+  flatten_shape_bvh(shapes, scene);
   flatten_emitters(desc, scene);
   flatten_media(media, shapes.isosurfaces, loaded.needed_again, scene);
   return scene;

@@ -81,6 +81,8 @@ void flatten_materials(const SceneDesc& desc, LoadedScene& loaded, LoadedShapes&
 void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene);
 // Triangles, instances and the BVHs of both.
 void flatten_meshes(const LoadedShapes& shapes, FlatScene& scene);
+// The BVH over shapes that have bounds and are no isosurfaces, where they are many; needs the shapes.
+void flatten_shape_bvh(const LoadedShapes& shapes, FlatScene& scene);
 // needed_again: LoadedScene's; where nobody needs them again, grids give their memory back on the way.
 void flatten_media(const std::vector<LoadedMedium>& media, const std::vector<LoadedIsosurface>& isosurfaces,
                    bool needed_again, FlatScene& scene);

@@ -1,8 +1,11 @@
 // Analytic shapes, which become Shape records. Meshes and triangles: load_meshes.cpp, flatten_meshes.cpp.
 #include <algorithm>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <numeric>
 
+#include "accel/bvh.hpp"
 #include "flat/flatten_parts.hpp"
 
 namespace brume {
@@ -66,6 +69,9 @@ struct PackShape {
   void operator()(const MeshDesc&) const {}
 };
 
+constexpr std::size_t SHAPES_LISTED = 4;    // of fewer each is tried
+constexpr double SHAPE_ROUNDING = 0x1p-20;  // of coordinates: a shape is met that far from where it is, at most
+
 // Corners of everything finite.
 struct AddBounds {
   Bounds& bounds;
@@ -87,6 +93,17 @@ struct AddBounds {
   void operator()(const TriangleDesc&) const {}    // added with its vertices, as those of a mesh
   void operator()(const MeshDesc&) const {}
 };
+
+BvhBox shape_box(const FlatScene& scene, const Bounds& bounds) {
+  const dvec3 lo = scene.point(bounds.lo), hi = scene.point(bounds.hi);
+  const dvec3 size = glm::max(glm::abs(lo), glm::abs(hi));
+  BvhBox box;
+  for (int k = 0; k < 3; ++k) {
+    box.lo[k] = static_cast<float>(lo[k] - SHAPE_ROUNDING * std::max({size.x, size.y, size.z}));
+    box.hi[k] = static_cast<float>(hi[k] + SHAPE_ROUNDING * std::max({size.x, size.y, size.z}));
+  }
+  return box;
+}
 
 }  // namespace
 
@@ -117,6 +134,31 @@ void flatten_shapes(const LoadedShapes& shapes, FlatScene& scene) {
     shape.material = desc->material >= 0 ? desc->material : shapes.default_material;
     scene.shapes.push_back(shape);
   }
+}
+
+void flatten_shape_bvh(const LoadedShapes& shapes, FlatScene& scene) {
+  std::vector<BvhBox> boxes;
+  std::vector<std::int32_t> names;
+  for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
+    Bounds bounds;
+    std::visit(AddBounds{bounds}, shapes.analytic[i]->geometry);
+    const auto index = static_cast<std::int32_t>(i);
+    if (bounds.empty()) {
+      scene.shape_list.push_back(index);
+    } else {
+      boxes.push_back(shape_box(scene, bounds));
+      names.push_back(index);
+    }
+  }
+  if (boxes.size() < SHAPES_LISTED || scene.bvh_rule == BVH_LIST) {
+    scene.shape_list.resize(scene.shapes.size());
+    std::iota(scene.shape_list.begin(), scene.shape_list.end(), 0);
+    return;
+  }
+  FlatBvh bvh{std::move(scene.bvh_nodes), std::move(scene.bvh_blocks)};
+  scene.shape_root = bvh_append_boxes(bvh, boxes, scene.bvh_width, names);
+  scene.bvh_nodes = std::move(bvh.nodes);
+  scene.bvh_blocks = std::move(bvh.blocks);
 }
 
 }  // namespace brume

@@ -94,7 +94,8 @@ RenderPlan plan_render(const SceneDesc& desc, const FlatScene& flat, const PlanO
   plan_camera(desc, flat, plan.frame);
   plan.frame.in_scattering = in_scattering_resolve(desc);
   plan_lights(desc, flat, plan);
-  plan.frame.shape_count = static_cast<int>(flat.shapes.size());
+  plan.frame.list_count = static_cast<int>(flat.shape_list.size());
+  plan.frame.shape_root = flat.shape_root;
   plan.frame.triangle_count = static_cast<int>(flat.world_triangles());
   plan.frame.instance_root = flat.instance_root;
   plan.frame.medium_count = static_cast<int>(flat.media.size());

@@ -48,10 +48,10 @@ Frame without_own_keys(Frame frame) {
 
 std::uint64_t scene_hash(const PlannedScene& scene) {
   // All fields by name, so that a new one does not compile until it is decided here.
-  const auto& [origin, unit, bounds, light_sources, materials, textures, texels, shapes, isosurfaces, iso_masks,
-               triangles, meshes, instances, instance_root, bvh_width, bvh_rule, bvh_nodes, bvh_blocks, grids, placed,
-               media, liquids, gradient_bricks, sizes, bricks, brick_ranges, voxels, color_tau, name, notes] =
-      static_cast<const FlatScene&>(scene);
+  const auto& [origin, unit, bounds, light_sources, materials, textures, texels, shapes, shape_list, shape_root,
+               isosurfaces, iso_masks, triangles, meshes, instances, instance_root, bvh_width, bvh_rule, bvh_nodes,
+               bvh_blocks, grids, placed, media, liquids, gradient_bricks, sizes, bricks, brick_ranges, voxels,
+               color_tau, name, notes] = static_cast<const FlatScene&>(scene);
   const auto& [frame, lights, light_shares, walks, draws, piece_rates, light_grids, light_entries, storage, stored,
                plan_notes] = static_cast<const RenderPlan&>(scene);
   Hash hash;

@@ -60,6 +60,7 @@ std::vector<KernelOption> scene_kernel_options(const FlatScene& s, const RenderP
       {"IN_SCATTERINGS_USED", rules, all_bits(IN_SCATTERING_COUNT), "rules of in-scattering"},
       {"PHASES_USED", phases, all_bits(PHASE_COUNT), "phase functions"},
       {"SHAPES_USED", shapes, all_bits(SHAPE_COUNT), "shapes"},
+      {"SHAPE_BVH", s.shape_root >= 0, 1, "a BVH over shapes"},
       {"TRIANGLES", !s.triangles.empty(), 1, "triangles"},
       {"INSTANCES", !s.instances.empty(), 1, "instances"},
       {"GOURAUD", scene_blends_light(s), 1, "light of corners"},

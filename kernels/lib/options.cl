@@ -66,6 +66,9 @@
 #ifndef BRUME_SHAPES_USED  // bit SHAPE_x of the analytic shapes in the scene
 #define BRUME_SHAPES_USED (-1)
 #endif
+#ifndef BRUME_SHAPE_BVH  // some shapes are behind a BVH
+#define BRUME_SHAPE_BVH 1
+#endif
 #ifndef BRUME_TRIANGLES  // the scene has triangles
 #define BRUME_TRIANGLES 1
 #endif

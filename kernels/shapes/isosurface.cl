@@ -128,7 +128,8 @@ static inline float border_at(const Medium* grid, float3 p) {
   return above.z < below.z ? 6.0f : 5.0f;
 }
 
-// Nearest crossing with 0 < t < hit->t, in shape `index`; outside of the grid is outside.
+// Nearest crossing with 0 < t < hit->t, or at it where what was hit there comes later, in shape `index`; outside of the
+// grid is outside.
 OUTLINED void isosurface_hit(const Scene* scene, const Shape* shape, int index, float3 origin, float3 dir, Hit* hit) {
   const Isosurface surface = isosurface_of(scene, shape);
   const Medium grid = isosurface_grid(&surface);
@@ -146,7 +147,7 @@ OUTLINED void isosurface_hit(const Scene* scene, const Shape* shape, int index, 
     inside = 0;
   }
   const float t = ray.t_begin + s;
-  if (!(t > 0.0f && t < hit->t)) return;
+  if (!(t > 0.0f && (t < hit->t || (t == hit->t && index < hit->primitive)))) return;
   hit->t = t;
   hit->primitive = index;
   hit->u = border ? border_at(&grid, vec_point(ray.origin, ray.dir, s)) : 0.0f;

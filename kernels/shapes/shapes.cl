@@ -39,6 +39,38 @@ static inline ShapePlace shape_emit(const Shape* shape, float3 from, float2 xi) 
   return shape_place_of((float3)(0.0f), (float3)(0.0f), 0.0f);
 }
 
+// The shape, where it is hit with 0 < t < hit->t. Equal distances go to the lower index, whatever the order of visits.
+static inline void shape_try(const Scene* scene, int index, float3 origin, float3 dir, Hit* hit) {
+  const Shape shape = scene->shapes[index];
+  if (USES_SHAPE(ISOSURFACE) && shape.type == SHAPE_ISOSURFACE) {
+    isosurface_hit(scene, &shape, index, origin, dir, hit);
+    return;
+  }
+  const float t = shape_hit(&shape, origin, dir);
+  if (!(t < hit->t || (t == hit->t && index < hit->primitive))) return;
+  hit->t = t;
+  hit->primitive = index;
+  hit->u = hit->v = 0.0f;  // maybe those of an isosurface behind
+}
+
+#if BRUME_SHAPE_BVH
+static inline void shape_bvh_hit(const Scene* scene, float3 origin, float3 dir, int any, Hit* hit) {
+  const BoxRay box = box_ray(origin, dir);
+  BvhEntry stack[BVH_STACK];
+  int top = 0, link = scene->frame->shape_root;
+  while (link != BVH_ABSENT) {
+    if (link >= 0) {
+      link = bvh_open(scene, &box, link, hit->t, stack, &top);
+      if (link != BVH_ABSENT) continue;
+    } else {
+      shape_try(scene, ~link, origin, dir, hit);
+      if (any && hit->primitive != PRIMITIVE_NONE) return;
+    }
+    link = bvh_pop(stack, &top, hit->t);
+  }
+}
+#endif
+
 // Nearest shape but triangles with 0 < t < t_max; `any`: the first one found will do.
 static inline Hit shapes_hit(const Scene* scene, float3 origin, float3 dir, float t_max, int any) {
   Hit hit;
@@ -48,19 +80,12 @@ static inline Hit shapes_hit(const Scene* scene, float3 origin, float3 dir, floa
   hit.v = 0.0f;
   hit.instance = INSTANCE_NONE;
 #if BRUME_SHAPES_USED
-  for (int i = 0; i < scene->frame->shape_count; ++i) {
-    const Shape shape = scene->shapes[i];
-    if (USES_SHAPE(ISOSURFACE) && shape.type == SHAPE_ISOSURFACE) {
-      isosurface_hit(scene, &shape, i, origin, dir, &hit);
-      if (any && hit.primitive == i) return hit;
-      continue;
-    }
-    const float t = shape_hit(&shape, origin, dir);
-    if (!(t < hit.t)) continue;
-    hit.t = t;
-    hit.primitive = i;
-    hit.u = hit.v = 0.0f;  // maybe those of an isosurface behind
-    if (any) return hit;
+#if BRUME_SHAPE_BVH
+  if (scene->frame->shape_root >= 0) shape_bvh_hit(scene, origin, dir, any, &hit);
+#endif
+  for (int i = 0; i < scene->frame->list_count; ++i) {
+    if (any && hit.primitive != PRIMITIVE_NONE) return hit;
+    shape_try(scene, scene->shape_list[i], origin, dir, &hit);
   }
 #endif
   return hit;
@@ -86,8 +111,8 @@ static inline void ray_start_before_planes(const Scene* scene, Ray* ray) {
   if (!USES_SHAPE(PLANE)) return;
   const float3 origin = vec_unpack(ray->origin), dir = vec_unpack(ray->dir);
   float t = 0.0f;
-  for (int i = 0; i < scene->frame->shape_count; ++i) {
-    const Shape shape = scene->shapes[i];
+  for (int i = 0; i < scene->frame->list_count; ++i) {
+    const Shape shape = scene->shapes[scene->shape_list[i]];
     if (shape.type != SHAPE_PLANE) continue;
     const float3 normal = shape_vec(&shape, 3);
     const float back = dot(normal, origin - shape_vec(&shape, 0)) / dot(normal, dir);  // not finite: beside the plane

@@ -11,9 +11,9 @@
 #include "shared/platform.h"
 
 // ROW(ID, name; host: split_NAME, help): how ranges of triangles are parted.
-#define BRUME_BVH_RULES(ROW)                                   \
-  ROW(LIST, list, "not at all: every triangle is tried")       \
-  ROW(MIDPOINT, midpoint, "in the middle of the longest axis") \
+#define BRUME_BVH_RULES(ROW)                                       \
+  ROW(LIST, list, "not at all: every triangle and shape is tried") \
+  ROW(MIDPOINT, midpoint, "in the middle of the longest axis")     \
   ROW(SAH, sah, "where rays will meet the fewest triangles, by surface areas")
 BRUME_SHARED_BEGIN
 enum BvhRule {

@@ -22,7 +22,7 @@ typedef struct {
   Packed3 background;
   int light_count;
   Packed3 ambient;
-  int shape_count;
+  int list_count;  // of shape_list
   int medium_count;
   int triangle_count;  // of those in the world
   uint seed;
@@ -42,7 +42,8 @@ typedef struct {
   int clear_shadows;      // 1: light passes shapes that refract, straight on; 0: they block it
   int starts_inside;      // 1: camera rays may begin inside of shapes that refract
   int instance_root;      // of the BVH over the instances; -1: there are none
+  int shape_root;         // of the BVH over shapes; -1: all of them are in shape_list
 } Frame;
-BRUME_LAYOUT(Frame, 204);
+BRUME_LAYOUT(Frame, 208);
 BRUME_SHARED_END
 #endif

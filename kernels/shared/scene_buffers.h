@@ -20,6 +20,7 @@
   ROW(__global, Texture, textures, FLAT, textures, "textures") NEXT                                       \
   ROW(__global, float, texels, FLAT, texels, "texture pixels") NEXT                                       \
   ROW(__global, Shape, shapes, FLAT, shapes, "shapes") NEXT                                               \
+  ROW(__global, int, shape_list, FLAT, shape_list, "list of shapes") NEXT                                 \
   ROW(__global, Isosurface, isosurfaces, FLAT, isosurfaces, "isosurfaces") NEXT                           \
   ROW(__global, uint, iso_masks, FLAT, iso_masks, "cells of isosurfaces") NEXT                            \
   ROW(__global, Triangle, triangles, FLAT, triangles, "triangles") NEXT                                   \

@@ -47,6 +47,7 @@ inline void shape_add(PlannedScene& scene, int type, std::initializer_list<doubl
   shape.type = type;
   int i = 0;
   for (const double x : data) shape.data[i++] = static_cast<float>(x);
+  scene.shape_list.push_back(static_cast<int>(scene.shapes.size()));
   scene.shapes.push_back(shape);
 }
 

@@ -69,7 +69,7 @@ struct PackShape {
   void operator()(const MeshDesc&) const {}
 };
 
-constexpr std::size_t SHAPES_LISTED = 4;    // of fewer each is tried
+constexpr std::size_t SHAPES_LISTED = 8;    // of fewer each is tried
 constexpr double SHAPE_ROUNDING = 0x1p-20;  // of coordinates: a shape is met that far from where it is, at most
 
 // Corners of everything finite.

@@ -58,7 +58,7 @@ static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* 
       s.normal = isosurface_normals(scene, &shape, s.point, dir, hit, &s.geometric_normal);
       known = hit->v > 0.0f;
     } else {
-      s.normal = s.geometric_normal = shape_normal(&shape, s.point, is_textured(scene, s.material) ? &s.uv : 0);
+      s.normal = s.geometric_normal = shape_normal(&shape, s.point, is_textured(scene, s.material), &s.uv);
     }
   }
   s.leaving = known >= 0 ? known : dot(s.geometric_normal, dir) > 0.0f;

@@ -14,20 +14,20 @@ static inline float box_hit(const Shape* shape, float3 origin, float3 dir) {
 }
 
 // Outward normal and uv of the face to which the point is nearest.
-static inline float3 box_normal(const Shape* shape, float3 point, float2* uv) {
+static inline float3 box_normal(const Shape* shape, float3 point, int textured, float2* uv) {
   const Affine a = shape_affine(shape);
   const float3 p = affine_point(&a, point);
   const float3 d =
       (float3)(fmin(fabs(p.x), fabs(1.0f - p.x)), fmin(fabs(p.y), fabs(1.0f - p.y)), fmin(fabs(p.z), fabs(1.0f - p.z)));
   if (d.x <= d.y && d.x <= d.z) {
-    if (uv) *uv = p.yz;
+    if (textured) *uv = p.yz;
     return vec_unit((float3)(a.m[0], a.m[1], a.m[2])) * (p.x < 0.5f ? -1.0f : 1.0f);
   }
   if (d.y <= d.z) {
-    if (uv) *uv = p.xz;
+    if (textured) *uv = p.xz;
     return vec_unit((float3)(a.m[4], a.m[5], a.m[6])) * (p.y < 0.5f ? -1.0f : 1.0f);
   }
-  if (uv) *uv = p.xy;
+  if (textured) *uv = p.xy;
   return vec_unit((float3)(a.m[8], a.m[9], a.m[10])) * (p.z < 0.5f ? -1.0f : 1.0f);
 }
 

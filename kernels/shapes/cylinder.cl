@@ -53,17 +53,17 @@ static inline float cylinder_hit(const Shape* shape, float3 origin, float3 dir) 
 }
 
 // Outward normal: the surface (side or a cap) to which the point is nearest.
-static inline float3 cylinder_normal(const Shape* shape, float3 point, float2* uv) {
+static inline float3 cylinder_normal(const Shape* shape, float3 point, int textured, float2* uv) {
   const Cylinder c = cylinder_load(shape);
   const float3 p = cylinder_frame(&c, point - c.base);
   const float radial = sqrt(p.x * p.x + p.y * p.y);
   const float from_side = fabs(c.radius - radial);
   const float from_cap = fmin(fabs(p.z), fabs(c.height - p.z));
   if (from_cap < from_side) {
-    if (uv) *uv = (float2)(0.5f * (p.x / c.radius + 1.0f), 0.5f * (p.y / c.radius + 1.0f));
+    if (textured) *uv = (float2)(0.5f * (p.x / c.radius + 1.0f), 0.5f * (p.y / c.radius + 1.0f));
     return p.z < 0.5f * c.height ? -c.axis : c.axis;
   }
-  if (uv) *uv = (float2)(azimuth(p.y, p.x), p.z / c.height);
+  if (textured) *uv = (float2)(azimuth(p.y, p.x), p.z / c.height);
   return (p.x * c.side_x + p.y * c.side_y) / radial;
 }
 

@@ -12,9 +12,9 @@ static inline float plane_hit(const Shape* shape, float3 origin, float3 dir) {
   return t > 0.0f ? t : INFINITY;
 }
 
-static inline float3 plane_normal(const Shape* shape, float3 point, float2* uv) {
+static inline float3 plane_normal(const Shape* shape, float3 point, int textured, float2* uv) {
   const float3 n = shape_vec(shape, 3), u = shape_vec(shape, 6), from = point - shape_vec(shape, 0);
-  if (uv) *uv = (float2)(dot(from, u), dot(from, cross(n, u)));
+  if (textured) *uv = (float2)(dot(from, u), dot(from, cross(n, u)));
   return n;
 }
 

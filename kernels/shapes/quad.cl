@@ -16,8 +16,8 @@ static inline float quad_hit(const Shape* shape, float3 origin, float3 dir) {
   return st.x >= 0.0f && st.x <= 1.0f && st.y >= 0.0f && st.y <= 1.0f ? t : INFINITY;
 }
 
-static inline float3 quad_normal(const Shape* shape, float3 point, float2* uv) {
-  if (uv) *uv = quad_coordinates(shape, point);
+static inline float3 quad_normal(const Shape* shape, float3 point, int textured, float2* uv) {
+  if (textured) *uv = quad_coordinates(shape, point);
   return shape_vec(shape, 3);
 }
 

@@ -21,10 +21,10 @@ static inline float shape_hit(const Shape* shape, float3 origin, float3 dir) {
   return INFINITY;
 }
 
-// Outward unit normal of the surface to which the point is nearest, and its uv where that is asked for.
-static inline float3 shape_normal(const Shape* shape, float3 point, float2* uv) {
+// Outward unit normal of the surface to which the point is nearest, and its uv where it is textured.
+static inline float3 shape_normal(const Shape* shape, float3 point, int textured, float2* uv) {
 #define ROW(id, name, help) \
-  if (USES_SHAPE(id) && shape->type == SHAPE_##id) return name##_normal(shape, point, uv);
+  if (USES_SHAPE(id) && shape->type == SHAPE_##id) return name##_normal(shape, point, textured, uv);
   BRUME_CLOSED_FORMS(ROW)
 #undef ROW
   return (float3)(0.0f, 0.0f, 1.0f);
@@ -53,23 +53,38 @@ static inline void shape_try(const Scene* scene, int index, float3 origin, float
   hit->u = hit->v = 0.0f;  // maybe those of an isosurface behind
 }
 
+// Which shapes a ray may hit: those behind the BVH, nearer ones first, then those of the list.
+typedef struct {
 #if BRUME_SHAPE_BVH
-static inline void shape_bvh_hit(const Scene* scene, float3 origin, float3 dir, int any, Hit* hit) {
-  const BoxRay box = box_ray(origin, dir);
+  BoxRay box;
   BvhEntry stack[BVH_STACK];
-  int top = 0, link = scene->frame->shape_root;
-  while (link != BVH_ABSENT) {
-    if (link >= 0) {
-      link = bvh_open(scene, &box, link, hit->t, stack, &top);
-      if (link != BVH_ABSENT) continue;
-    } else {
-      shape_try(scene, ~link, origin, dir, hit);
-      if (any && hit->primitive != PRIMITIVE_NONE) return;
-    }
-    link = bvh_pop(stack, &top, hit->t);
-  }
-}
+  int top, link;
 #endif
+  int listed;
+} ShapeWalk;
+
+static inline void shapes_begin(const Scene* scene, float3 origin, float3 dir, ShapeWalk* walk) {
+#if BRUME_SHAPE_BVH
+  walk->box = box_ray(origin, dir);
+  walk->top = 0;
+  walk->link = scene->frame->shape_root < 0 ? BVH_ABSENT : scene->frame->shape_root;
+#endif
+  walk->listed = 0;
+}
+
+// The next of them before t_max, or -1.
+static inline int shapes_next(const Scene* scene, float t_max, ShapeWalk* walk) {
+#if BRUME_SHAPE_BVH
+  for (;;) {
+    const int link = walk->link == BVH_ABSENT ? bvh_pop(walk->stack, &walk->top, t_max) : walk->link;
+    walk->link = BVH_ABSENT;
+    if (link == BVH_ABSENT) break;
+    if (link < 0) return ~link;
+    walk->link = bvh_open(scene, &walk->box, link, t_max, walk->stack, &walk->top);
+  }
+#endif
+  return walk->listed < scene->frame->list_count ? scene->shape_list[walk->listed++] : -1;
+}
 
 // Nearest shape but triangles with 0 < t < t_max; `any`: the first one found will do.
 static inline Hit shapes_hit(const Scene* scene, float3 origin, float3 dir, float t_max, int any) {
@@ -80,12 +95,11 @@ static inline Hit shapes_hit(const Scene* scene, float3 origin, float3 dir, floa
   hit.v = 0.0f;
   hit.instance = INSTANCE_NONE;
 #if BRUME_SHAPES_USED
-#if BRUME_SHAPE_BVH
-  if (scene->frame->shape_root >= 0) shape_bvh_hit(scene, origin, dir, any, &hit);
-#endif
-  for (int i = 0; i < scene->frame->list_count; ++i) {
+  ShapeWalk walk;
+  shapes_begin(scene, origin, dir, &walk);
+  for (int i = shapes_next(scene, t_max, &walk); i >= 0; i = shapes_next(scene, hit.t, &walk)) {
+    shape_try(scene, i, origin, dir, &hit);
     if (any && hit.primitive != PRIMITIVE_NONE) return hit;
-    shape_try(scene, scene->shape_list[i], origin, dir, &hit);
   }
 #endif
   return hit;

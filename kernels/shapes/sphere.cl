@@ -25,9 +25,9 @@ static inline float2 sphere_uv(float3 normal) {
 #endif
 }
 
-static inline float3 sphere_normal(const Shape* shape, float3 point, float2* uv) {
+static inline float3 sphere_normal(const Shape* shape, float3 point, int textured, float2* uv) {
   const float3 n = normalize(point - shape_vec(shape, 0));
-  if (uv) *uv = sphere_uv(n);
+  if (textured) *uv = sphere_uv(n);
   return n;
 }
 

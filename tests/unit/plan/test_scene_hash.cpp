@@ -75,13 +75,32 @@ TEST(SceneHash, EveryPartOfAPictureCounts) {
   EXPECT_EQ(hashes.size(), changes.size());
 }
 
+TEST(SceneHash, WhereTheBvhOfAMeshBeginsDoesNot) {
+  PlannedScene one = scene_full();
+  one.instances.push_back({});
+  PlannedScene two = one;
+  two.instances[0].root = 5;
+  EXPECT_EQ(scene_hash(one), scene_hash(two));
+  two.instances[0].material = 5;
+  EXPECT_NE(scene_hash(one), scene_hash(two));
+}
+
 TEST(SceneHash, CropDeviceAndNamesDoNot) {
   const std::vector<Change> changes = {
-      [](PlannedScene& s) { s.frame.crop_x0 = 3; },          [](PlannedScene& s) { s.frame.crop_y1 = 3; },
-      [](PlannedScene& s) { s.frame.camera.spp = 9; },       [](PlannedScene& s) { s.frame.seed = 9; },
-      [](PlannedScene& s) { s.frame.camera.width = 9; },     [](PlannedScene& s) { s.bvh_width = 16; },
-      [](PlannedScene& s) { s.bvh_nodes.assign(64, 1.0f); }, [](PlannedScene& s) { s.name = "other"; },
+      [](PlannedScene& s) { s.frame.crop_x0 = 3; },
+      [](PlannedScene& s) { s.frame.crop_y1 = 3; },
+      [](PlannedScene& s) { s.frame.camera.spp = 9; },
+      [](PlannedScene& s) { s.frame.seed = 9; },
+      [](PlannedScene& s) { s.frame.camera.width = 9; },
+      [](PlannedScene& s) { s.bvh_width = 16; },
+      [](PlannedScene& s) { s.bvh_nodes.assign(64, 1.0f); },
+      [](PlannedScene& s) { s.name = "other"; },
       [](PlannedScene& s) { s.notes.push_back("note"); },
+      [](PlannedScene& s) { s.frame.shape_root = 5; },
+      [](PlannedScene& s) { s.frame.list_count = 5; },
+      [](PlannedScene& s) { s.frame.instance_root = 5; },
+      [](PlannedScene& s) { s.shape_root = 5; },
+      [](PlannedScene& s) { s.shape_list.push_back(1); },
   };
   const std::uint64_t hash = scene_hash(scene_full());
   for (std::size_t i = 0; i < changes.size(); ++i) {

@@ -70,6 +70,7 @@ TEST_P(ShapeBvh, IsTheListBitByBit) {
       const FilmPixel &one = a.pixels()[i], &two = b.pixels()[i];
       EXPECT_EQ(one.radiance.x, two.radiance.x) << count << " shapes, pixel " << i;
       EXPECT_EQ(one.radiance.y, two.radiance.y) << count << " shapes, pixel " << i;
+      EXPECT_EQ(one.radiance.z, two.radiance.z) << count << " shapes, pixel " << i;
       EXPECT_EQ(one.key, two.key) << count << " shapes, pixel " << i;
       hits += one.hits > 0;
     }

@@ -77,7 +77,7 @@ TEST_P(Oclgrind, ReportsNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Oclgrind,
-                         testing::Values("image/fog_midpoint", "image/fog_grid_color", "image/surfaces",
+                         testing::Values("image/fog_midpoint", "image/fog_grid_color", "image/surfaces", "image/shapes",
                                          "image/liquid_fog"),
                          [](const auto& scene) { return std::string(scene.param).substr(6); });
 

@@ -46,20 +46,13 @@ void edge_kinks(const Medium& medium, const Light& light, const RayD& world, Kin
 
 Kinks kinks_find(const Context& context, int index, const RayD& ray, double t_max, const Interval& span) {
   Kinks kinks{span.t0, span.t1};
-  const auto& lights = context.scene.lights;
-  for (const Light& light : lights)
-    if (is_near_spot(light)) {
-      for (const double t : spot_cones(light, ray)) kinks.add(t);
-    }
+  for (const LightKink& kink : light_kinks(context, index, ray, t_max)) kinks.add(kink.t);
   for (int other = 0; other < static_cast<int>(context.media.size()); ++other) {
-    const Medium& medium = context.media[static_cast<std::size_t>(other)];
-    const Interval beside = medium_interval(medium, ray, 0, t_max);
-    if (other != index && !beside.empty()) {
-      kinks.add(beside.t0);
-      kinks.add(beside.t1);
-    }
-    if (medium.region != REGION_BOX) continue;
-    for (const Light& light : lights) edge_kinks(medium, light, ray, kinks);
+    if (other == index) continue;
+    const Interval beside = medium_interval(context.media[static_cast<std::size_t>(other)], ray, 0, t_max);
+    if (beside.empty()) continue;
+    kinks.add(beside.t0);
+    kinks.add(beside.t1);
   }
   return kinks;
 }
@@ -95,6 +88,21 @@ double step_at(const Context& context, const Medium& medium, const RayD& ray, co
 }
 
 }  // namespace
+
+std::vector<LightKink> light_kinks(const Context& context, int index, const RayD& ray, double t_max) {
+  std::vector<LightKink> found;
+  const Interval span = medium_interval(context.media[static_cast<std::size_t>(index)], ray, 0, t_max);
+  for (std::size_t light = 0; light < context.scene.lights.size(); ++light) {
+    Kinks kinks{span.t0, span.t1};
+    if (is_near_spot(context.scene.lights[light]))
+      for (const double t : spot_cones(context.scene.lights[light], ray)) kinks.add(t);
+    for (const Medium& medium : context.media)
+      if (medium.region == REGION_BOX) edge_kinks(medium, context.scene.lights[light], ray, kinks);
+    for (const double t : kinks.t)
+      if (found.size() < KINKS_MAX) found.push_back({light, t});
+  }
+  return found;
+}
 
 // The angle to the spot's direction has 1 - cos = beside: ((p - P)·D)² = cos² |p - P|² on the side of the cosine.
 std::vector<double> spot_cones(const Light& light, const RayD& ray) {

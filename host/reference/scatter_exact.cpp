@@ -108,6 +108,7 @@ std::vector<double> borders_of_all(const Context& context, const RayD& ray, doub
       borders.push_back(segment.t_begin);
       borders.push_back(segment.t_end);
     }
+    for (const LightKink& kink : light_kinks(context, i, ray, t_max)) borders.push_back(kink.t);
   }
   if (borders.empty()) return borders;
   const auto ends = std::minmax_element(borders.begin(), borders.end());

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <glm/common.hpp>
+#include <optional>
+#include <vector>
 
+#include "reference/glass.hpp"
 #include "reference/light_grid.hpp"
 #include "reference/phase.hpp"
 #include "shared/method.h"
@@ -14,6 +18,12 @@ namespace brume::reference {
 namespace {
 
 static_assert(IN_SCATTERING_COUNT == 3, "gain_of and source_at know all");
+
+constexpr int EDGE_HALVINGS = 10;         // between two places that are asked
+constexpr std::size_t SEGMENT_EDGES = 6;  // of one light that count
+constexpr std::size_t SEGMENT_KINKS = 8;
+constexpr double EDGES_ASKED = 64;         // places along the ray's way through a medium, at least
+constexpr double KINK_INSET = 1.0 / 1024;  // of a segment: kinks closer to its ends do not count
 
 // Mean of exp(-t) over [0, x], also for x < 0.
 double mean_exp(double x) { return x == 0 ? 1 : -std::expm1(-x) / x; }
@@ -85,6 +95,103 @@ std::array<double, 2> points_weights(const Segment& at, int c, double near, doub
   return {(1 - share) * std::exp(lift - near), share * std::exp(lift - far)};
 }
 
+// What shares of a segment a light reaches.
+struct LitPart {
+  double from, to;
+};
+
+// A share at which a segment is cut: where light begins or ends, or has a kink.
+struct Cut {
+  double share;
+  bool edge;
+};
+
+// Adds the edges of a segment; whether a light shines where it begins. `lit` tells of both its points, `asked` how many
+// places are asked over a length as that of the segment.
+bool edges_find(const std::function<bool(double)>& shines, const std::array<bool, 2>& lit, double asked,
+                std::vector<Cut>& cuts) {
+  const std::array<double, 4> places{DENSE_POINT, FIRST_POINT, 1 - FIRST_POINT, 1 - DENSE_POINT};
+  const bool begins = shines(places[0]);
+  bool was = begins;
+  double before = places[0];
+  for (std::size_t i = 1; i < 4; ++i) {
+    const double gap = places[i] - places[i - 1], count = std::max(1.0, std::ceil(gap * asked - 1.0 / 1024));
+    for (double n = 1; n <= count; ++n) {
+      if (cuts.size() == SEGMENT_EDGES) return begins;
+      const double at = places[i - 1] + gap * (n / count);
+      const bool is = n == count && i < 3 ? lit[i - 1] : shines(at);
+      if (is != was) {
+        double near = before, far = at;
+        for (int halving = 0; halving < EDGE_HALVINGS; ++halving) {
+          const double middle = (near + far) / 2;
+          (shines(middle) == was ? near : far) = middle;
+        }
+        cuts.push_back({(near + far) / 2, true});
+      }
+      before = at;
+      was = is;
+    }
+  }
+  return begins;
+}
+
+// PICTURE, Edges of shadows: the parts of a segment that are lit, where it is cut; nothing where it is not.
+std::optional<std::vector<LitPart>> lit_parts(const Context& context, const Segment& at, std::size_t index,
+                                              const RayD& ray, const std::array<bool, 2>& lit) {
+  const Light& light = context.scene.lights[index];
+  const bool all = context.scene.frame.light_picks == static_cast<int>(context.scene.lights.size());
+  if (at.dense || !all || light.type == LIGHT_SURFACE) return {};
+  const double length = at.end - at.begin;
+  std::vector<Cut> cuts;
+  bool shining = edges_find(
+      [&](double share) {
+        const dvec3 point = ray.at(at.begin + share * length);
+        const LightSample sample = light_at(context.scene, light, point, at.places);
+        return sample.shines() &&
+               light_passes(context.scene, context.bounds, {point, -sample.travel}, sample.reach) != dvec3(0);
+      },
+      lit, EDGES_ASKED * length / at.inside, cuts);
+  std::size_t kinks = 0;
+  for (const LightKink& kink : at.kinks) {
+    const double share = (kink.t - at.begin) / length;
+    if (kink.light != index || share <= KINK_INSET || share >= 1 - KINK_INSET || kinks == SEGMENT_KINKS) continue;
+    cuts.push_back({share, false});
+    ++kinks;
+  }
+  if (cuts.empty()) return {};
+  std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.share < b.share; });
+  cuts.push_back({1, false});
+  std::vector<LitPart> parts;
+  double from = 0;
+  for (const Cut& cut : cuts) {
+    if (shining) parts.push_back({from, cut.share});
+    shining = shining != cut.edge;
+    from = cut.share;
+  }
+  return parts;
+}
+
+// E · V · p · T of shadow ray n over the lit parts of a segment, each by two points of its own under the weight ρT of
+// the whole, ρ a straight line.
+dvec3 light_of_parts(const Context& context, const Segment& at, std::size_t light, uint n, const RayD& ray,
+                     const std::vector<LitPart>& parts, Scattered& result) {
+  const auto density = [&](double u) { return std::max(0.0, 1 + (2 * at.second - 1) * std::sqrt(3.0) * (2 * u - 1)); };
+  const dvec3 all = ((1 - at.second) * transmittance_of(FIRST_POINT * at.depth) +
+                     at.second * transmittance_of((1 - FIRST_POINT) * at.depth));
+  dvec3 sum(0);
+  for (const LitPart& part : parts)
+    for (uint k = 0; k < 2; ++k) {
+      const double u = part.from + (k ? 1 - FIRST_POINT : FIRST_POINT) * (part.to - part.from);
+      const double t = at.begin + u * (at.end - at.begin);
+      const dvec3 arriving = arriving_at(context, at, light, t, ray, result);
+      if (arriving == dvec3(0)) continue;
+      const dvec3 tau = light_depth(context, at, light, ray.at(t),
+                                    at.random.child((k ? STREAM_LIGHT_END : STREAM_LIGHT) + n), result.lookups);
+      sum += (part.to - part.from) / 2 * density(u) * transmittance_of(u * at.depth + tau) / all * arriving;
+    }
+  return sum;
+}
+
 // E · V · p · T of shadow ray n over a segment, from two points.
 dvec3 light_of_points(const Context& context, const Segment& at, std::size_t light, uint n, const RayD& ray,
                       Scattered& result) {
@@ -98,6 +205,8 @@ dvec3 light_of_points(const Context& context, const Segment& at, std::size_t lig
                  : light_depth(context, at, light, ray.at(t),
                                at.random.child((k ? STREAM_LIGHT_END : STREAM_LIGHT) + n), result.lookups);
   }
+  const auto parts = lit_parts(context, at, light, ray, {arriving[0] != dvec3(0), arriving[1] != dvec3(0)});
+  if (parts) return light_of_parts(context, at, light, n, ray, *parts, result);
   const bool bends = at.bends && arriving[0] != dvec3(0) && arriving[1] != dvec3(0);
   dvec3 sum;
   for (int c = 0; c < 3; ++c) {

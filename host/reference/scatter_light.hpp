@@ -2,7 +2,9 @@
 // business of scatter_segments.cpp.
 #pragma once
 #include <cmath>
+#include <vector>
 
+#include "reference/lit_steps.hpp"
 #include "reference/scatter.hpp"
 
 namespace brume::reference {
@@ -23,8 +25,10 @@ struct Segment {
   double begin = 0, end = 0;
   dvec3 depth{0};  // of all media over it
   bool two_points = false;
-  bool bends = false;   // two points: light's depth may be taken to grow evenly between them
-  double second = 0.5;  // share of ∫ρ about the second of them
+  bool bends = false;              // two points: light's depth may be taken to grow evenly between them
+  double second = 0.5;             // share of ∫ρ about the second of them
+  double inside = 0;               // length of the ray's way through the medium
+  std::vector<LightKink> kinks{};  // along all of it, where segments do not end at them anyway
 };
 
 // ∫ρT over a segment by a row of BRUME_IN_SCATTERINGS: `integral` is ∫ρ over it, `before` the optical depth up to it

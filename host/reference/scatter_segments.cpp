@@ -30,6 +30,8 @@ struct SegmentWalk {
   Others others;
   std::vector<DepthAlong> depths;  // of the other media, where none is tracked
   Scattered& result;
+  std::vector<LightKink> kinks{};                      // along that
+  double inside = 0;                                   // length of the ray's way through the medium
   std::vector<RunPoint> run{};                         // of `adaptive`, while its light is traced
   double seen = 0;                                     // light before it
   double squares = 0, seen_squares = 0, all_gain = 0;  // of what its pieces err by, also as it is seen; ∫ρT
@@ -57,6 +59,8 @@ struct SegmentWalk {
     const dvec3 along = takes_ends ? beside(segment).second : dvec3(0);
     const double depth = largest(sigma_t * segment.density_length + along);
     double parts = rule == IN_SCATTERING_GAUSS2 ? 4 * depth : 8 * depth;
+    const bool glows = vec_promote(medium.sigma_s) == dvec3(0) && vec_promote(medium.emission) != dvec3(0);
+    if (rule == IN_SCATTERING_GAUSS2 && glows) parts = std::max(parts, 64 * largest(along));
     if (adapts()) parts = depth / double(medium.tau_part);
     if (rule == IN_SCATTERING_GAUSS2) parts = std::max(parts, light_parts(segment));
     return std::clamp(std::ceil(parts - 1.0 / 1024), 1.0, 256.0);
@@ -120,6 +124,8 @@ struct SegmentWalk {
                dense, segment.t_begin, segment.t_end, depth};
     at.two_points = rule == IN_SCATTERING_GAUSS2;
     at.bends = takes_ends;
+    at.inside = inside;
+    at.kinks = kinks;
     if (method_rule(method) == RULE_GAUSS2 || adapts()) at.second = second_share(segment);
     dvec3 gain;
     for (int c = 0; c < 3; ++c)
@@ -159,6 +165,11 @@ struct SegmentWalk {
   }
 
   void walk_all(double t_max) {
+    const Interval span = medium_interval(medium, ray, 0, t_max);
+    inside = span.t1 - span.t0;
+    if (rule == IN_SCATTERING_GAUSS2 && !medium.is_constant &&
+        context.scene.frame.light_picks == static_cast<int>(context.scene.lights.size()))
+      kinks = light_kinks(context, index, ray, t_max);
     const bool lit_steps = rule == IN_SCATTERING_GAUSS2 && medium.is_constant;
     for (const SegmentD& segment : lit_steps ? lit_segments(context, index, ray, t_max)
                                              : segments(context.scene, index, ray, 0, t_max, method, walk)) {

@@ -138,6 +138,7 @@ static inline Stretch stretch_of(const Medium* medium, const MediumRay* ray, flo
   s.t_max = t_max;
   s.random = random;
   s.walk = random_stream(random, (uint)m);
+  s.kinks = 0;
   s.light_t = -INFINITY;
   s.light_tau = (Tau)(0.0f);
   return s;
@@ -167,6 +168,11 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
   run.seen = radiance->sum.x + radiance->sum.y + radiance->sum.z;
   const float before = vec_mean(radiance->sum);
   Rough rough = {0.0f, 0.0f, 0.0f};
+  Kinks kinks;
+  if (HAS_LIGHT_KINKS(scene, &medium)) {
+    kinks_of_lights(scene, &s, &kinks);
+    s.kinks = &kinks;
+  }
   LitSteps lit;
   if (lit_steps) lit = lit_steps_begin(scene, &s, m);
   while (tau_min(tau + others.tau) < TAU_STOP) {

@@ -29,7 +29,7 @@ static inline float light_mean(float begin, float end, float depth) {
 }
 
 // Light l at a place: E · V · p, and V into the key. 0 when nothing arrives.
-static inline float3 place_arriving(const Scene* scene, const Stretch* s, int l, float place, MediumResult* result) {
+OUTLINED float3 place_arriving(const Scene* scene, const Stretch* s, int l, float place, MediumResult* result) {
   const float3 point = vec_point(s->origin, s->dir, s->ray->t_begin + place);
   const LightSample light = light_sample(scene, l, point, s->random);
   if (!(vec_max(light.irradiance) > 0.0f)) return (float3)(0.0f);

@@ -16,6 +16,7 @@
 #define TAU_THIN_CONSTANT (1.0f / 512.0f)  // of a constant medium, through which a depth is one product
 #define TAU_PART (1.0f / 8.0f)
 #define TAU_PART_GAUSS2 (1.0f / 4.0f)    // of more with light at two points of each
+#define TAU_PART_GLOW (1.0f / 64.0f)     // of others beside what only glows: they need not grow as it does
 #define TAU_ENDS_GAUSS2 (1.0f / 2.0f)    // parts that are denser still have the points at their ends
 #define TAU_ENDS_ADAPTIVE (3.0f / 2.0f)  // the same of `adaptive`, whose parts may be up to 1
 #define PARTS_SLACK 0x1p-10f
@@ -44,12 +45,15 @@ typedef struct {
   Tau tau;
 } Others;
 
+struct Kinks;
+
 // A stretch: one batch of segments of a view ray, and what is known of each.
 typedef struct {
   const Medium* medium;
   const MediumRay* ray;
   const Segments* at;
-  float3 origin, dir;  // world
+  const struct Kinks* kinks;  // along the whole ray; 0: segments are not cut at them
+  float3 origin, dir;         // world
   float t_max;
   Random random;      // of the ray,
   Random walk;        // of the walk through this medium
@@ -190,6 +194,19 @@ static inline floatW stretch_light_parts(const Scene* scene, const Stretch* s) {
   return parts;
 }
 
+static inline int medium_only_glows(const Medium* medium) {
+  return !(vec_max(vec_unpack(medium->sigma_s)) > 0.0f) && vec_max(vec_unpack(medium->emission)) > 0.0f;
+}
+
+// How many parts of each segment the depth of the others over it asks for: glow costs no rays of light.
+static inline floatW stretch_glow_parts(const Stretch* s) {
+  floatW parts = (floatW)(0.0f);
+#if BRUME_MEDIA >= 2
+  for (int c = 0; c < TAU_CHANNELS; ++c) parts = fmax(parts, s->beside[c] * (1.0f / TAU_PART_GLOW));
+#endif
+  return parts;
+}
+
 // Cuts the segments if one of them is too dense, or too long beside a lamp; 0 if none is.
 static inline int stretch_cut(const Scene* scene, const Stretch* s, Cut* cut) {
   float each = SUMS_BY(scene, s->medium, GAUSS2) ? 1.0f / TAU_PART_GAUSS2 : 1.0f / TAU_PART;
@@ -198,6 +215,8 @@ static inline int stretch_cut(const Scene* scene, const Stretch* s, Cut* cut) {
   if (SUMS_BY(scene, s->medium, GAUSS2) && LIGHTS_ALL(scene) && !IS_PRODUCT(s->medium) &&
       vec_max(vec_unpack(s->medium->sigma_s)) > 0.0f)
     parts = fmax(parts, stretch_light_parts(scene, s));
+  if (SUMS_BY(scene, s->medium, GAUSS2) && !METHOD_IS(s->medium, ADAPTIVE) && medium_only_glows(s->medium))
+    parts = fmax(parts, stretch_glow_parts(s));
   parts -= PARTS_SLACK;
   if (!lanes_any(parts > (floatW)(1.0f))) return 0;
   const floatW count = fmin(fmax(ceil(parts), (floatW)(1.0f)), (floatW)(PARTS_MAX));

@@ -15,7 +15,6 @@ namespace {
 constexpr double SHARE_OF_BRICK = 0.05;  // of the tolerance: what the pieces of one brick may err by
 constexpr double LIGHT_COARSER = 16;     // of rays to lights: a pixel is the mean of many, whose errors differ
 constexpr std::array<int, 4> PIECES = {1, 2, 4, 8};  // of a brick; more are no cheaper than its cells
-constexpr int LINES = 2;                             // every so many samples a line is measured
 constexpr double LINE_CELLS = BRICK_CELLS - 1;       // over which it is
 using Weights = std::array<float, BRICK_SAMPLES>;
 
@@ -51,14 +50,14 @@ double line_sum(const float* first, int stride, const Weights& weights) {
   return sum;
 }
 
-// Root of the mean square over lines along all axes.
+// Root of the mean square over all lines along the axes: of a cloud that only a corner of the brick sees, a few tell.
 double brick_error(const float* samples, const Weights& weights) {
   constexpr std::array<int, 3> STRIDES = {1, BRICK_SAMPLES, BRICK_SAMPLES * BRICK_SAMPLES};
   double squares = 0;
   int lines = 0;
   for (std::size_t axis = 0; axis < 3; ++axis)
-    for (int v = 0; v < BRICK_CELLS; v += LINES)
-      for (int u = 0; u < BRICK_CELLS; u += LINES, ++lines) {
+    for (int v = 0; v < BRICK_SAMPLES; ++v)
+      for (int u = 0; u < BRICK_SAMPLES; ++u, ++lines) {
         const int offset = u * STRIDES[(axis + 1) % 3] + v * STRIDES[(axis + 2) % 3];
         const float* first = samples + offset;
         const double error = line_sum(first, STRIDES[axis], weights);

@@ -60,7 +60,7 @@ struct SegmentWalk {
     const double depth = largest(sigma_t * segment.density_length + along);
     double parts = rule == IN_SCATTERING_GAUSS2 ? 4 * depth : 8 * depth;
     const bool glows = vec_promote(medium.sigma_s) == dvec3(0) && vec_promote(medium.emission) != dvec3(0);
-    if (rule == IN_SCATTERING_GAUSS2 && glows) parts = std::max(parts, 64 * largest(along));
+    if (rule == IN_SCATTERING_GAUSS2 && glows) parts = std::max(parts, std::min(64 * largest(along), 8.0));
     if (adapts()) parts = depth / double(medium.tau_part);
     if (rule == IN_SCATTERING_GAUSS2) parts = std::max(parts, light_parts(segment));
     return std::clamp(std::ceil(parts - 1.0 / 1024), 1.0, 256.0);

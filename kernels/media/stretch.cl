@@ -17,6 +17,7 @@
 #define TAU_PART (1.0f / 8.0f)
 #define TAU_PART_GAUSS2 (1.0f / 4.0f)    // of more with light at two points of each
 #define TAU_PART_GLOW (1.0f / 64.0f)     // of others beside what only glows: they need not grow as it does
+#define GLOW_PARTS_MAX 8.0f              // of many media, that many more would cost their number squared
 #define TAU_ENDS_GAUSS2 (1.0f / 2.0f)    // parts that are denser still have the points at their ends
 #define TAU_ENDS_ADAPTIVE (3.0f / 2.0f)  // the same of `adaptive`, whose parts may be up to 1
 #define PARTS_SLACK 0x1p-10f
@@ -204,7 +205,7 @@ static inline floatW stretch_glow_parts(const Stretch* s) {
 #if BRUME_MEDIA >= 2
   for (int c = 0; c < TAU_CHANNELS; ++c) parts = fmax(parts, s->beside[c] * (1.0f / TAU_PART_GLOW));
 #endif
-  return parts;
+  return fmin(parts, (floatW)(GLOW_PARTS_MAX));
 }
 
 // Cuts the segments if one of them is too dense, or too long beside a lamp; 0 if none is.

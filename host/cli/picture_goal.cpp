@@ -68,7 +68,7 @@ SceneDesc picture_for_goal(const RenderArguments& arguments, const SceneDesc& de
 void picture_refine_for_goal(const RenderArguments& arguments, const SceneDesc& desc, const PlannedScene& flat,
                              Context& context, const Renderer& renderer, Film& film, PictureError& error,
                              const std::function<void(const std::string&)>& say) {
-  constexpr int REFINEMENTS = 3;
+  constexpr int REFINEMENTS = 4;
   constexpr double HELPED = 0.9;  // of the error before
   const RenderDesc& goal = desc.render;
   std::optional<SceneDesc> finer = desc;
@@ -76,9 +76,12 @@ void picture_refine_for_goal(const RenderArguments& arguments, const SceneDesc& 
   const std::shared_ptr<DeviceScene> scene = desc.render.level > 0 && goal_missed(goal, error.witness)
                                                  ? std::make_shared<DeviceScene>(context, flat)
                                                  : renderer.scene();
+  bool helped = true;
   for (int i = 0; i < REFINEMENTS && goal_missed(goal, error.witness); ++i) {
-    finer = settings_finer(*finer);
-    if (!finer) return;
+    std::optional<SceneDesc> next = helped ? settings_finer(*finer) : std::nullopt;
+    if (!next && arguments.method == "auto") next = settings_closest(*finer);
+    if (!next) return;
+    finer = next;
     const RenderPlan plan = plan_render(*finer, scene->flat(), {arguments.crop_box(), arguments.alpha});
     Renderer by_finer(context, scene, plan, {renderer.stats().lanes, renderer.stats().generic, 0});
     const double before = error_in(error.witness, goal.error_metric);
@@ -87,7 +90,7 @@ void picture_refine_for_goal(const RenderArguments& arguments, const SceneDesc& 
     const double after = error_in(error.witness, goal.error_metric);
     say("refined " + number_text(100 * share, 2) + " % of the pixels: " + metric_name(goal) + " " +
         number_text(before, 2) + " -> " + number_text(after, 2));
-    if (after > HELPED * before) return;
+    helped = after < HELPED * before;
   }
 }
 

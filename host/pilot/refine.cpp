@@ -5,10 +5,12 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <vector>
 
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "film/film_display.hpp"
+#include "flat/media_methods.hpp"
 
 namespace brume {
 
@@ -81,6 +83,24 @@ std::optional<SceneDesc> settings_finer(const SceneDesc& desc) {
   }
   if (!changed) return std::nullopt;
   return finer;
+}
+
+std::optional<SceneDesc> settings_closest(const SceneDesc& desc) {
+  SceneDesc closest = desc;
+  RenderDesc& render = closest.render;
+  render.method = METHOD_AUTO;
+  render.in_scattering = IN_SCATTERING_GAUSS2;
+  render.shadow = SHADOW_TRACE;
+  render.level = 0;
+  const RenderDesc& is = desc.render;
+  const bool same_light = is.in_scattering == render.in_scattering && is.shadow != SHADOW_GRID && is.level == 0;
+  const auto methods = [](const SceneDesc& of) {
+    std::vector<int> found;
+    for (const MediumRow& medium : media_rows(of)) found.push_back(method_resolve(of, *medium.desc));
+    return found;
+  };
+  if (same_light && methods(desc) == methods(closest)) return std::nullopt;
+  return closest;
 }
 
 double picture_refine(Renderer& finer, const Frame& frame, const RenderDesc& goal, Film& film) {

@@ -95,5 +95,19 @@ TEST(Refine, FinerUntilThereIsNothingFiner) {
   EXPECT_FALSE(settings_finer(desc));
 }
 
+TEST(Refine, ClosestOnceNothingFinerHelps) {
+  SceneDesc desc = described(1e-4);
+  desc.render.method = METHOD_MARCH_MIDPOINT;
+  desc.render.in_scattering = IN_SCATTERING_GAUSS2;
+  const SceneDesc closest = *settings_closest(desc);
+  EXPECT_EQ(closest.render.method, METHOD_AUTO);
+  EXPECT_EQ(closest.render.in_scattering, IN_SCATTERING_GAUSS2);
+  EXPECT_EQ(closest.render.shadow, SHADOW_TRACE);
+  EXPECT_FALSE(settings_closest(closest));
+  desc = closest;
+  desc.render.shadow = SHADOW_GRID;
+  EXPECT_TRUE(settings_closest(desc));
+}
+
 }  // namespace
 }  // namespace brume

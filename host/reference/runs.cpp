@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <optional>
 
 #include "reference/glass.hpp"
 #include "reference/phase.hpp"
@@ -19,14 +20,16 @@ double sum_of(const dvec3& v) { return v.x + v.y + v.z; }
 class LightRun {
  public:
   LightRun(const Context& context, const Medium& medium, std::size_t light, const RayD& ray,
-           const std::vector<RunPoint>& points, double seen, Scattered& result)
+           const std::vector<RunPoint>& points, double inside, double seen, Scattered& result)
       : context_(context),
         light_(light),
         ray_(ray),
         points_(points),
         tolerance_(medium.tolerance),
+        inside_(inside),
         seen_(seen),
         result_(result),
+        lit_(points.size()),
         passed_(points.size(), dvec3(0)) {
     const dvec3 sigma_s = vec_promote(medium.sigma_s);
     for (const RunPoint& point : points) {
@@ -51,6 +54,8 @@ class LightRun {
     }
     dvec3 sum(0);
     for (std::size_t i = first; i <= last; ++i) sum += weights_[i] * passed_[i];
+    if (context_.scene.lights[light_].type != LIGHT_SURFACE)
+      for (std::size_t i = first; i < last; ++i) sum += edge_moves(i);
     return sum;
   }
 
@@ -62,9 +67,11 @@ class LightRun {
   void ask(std::size_t i) {
     const LightSample sample = sample_at(i);
     passed_[i] = dvec3(1);
+    lit_[i] = true;
     if (sample.distance == 0) return;
     const RayD shadow{ray_.at(points_[i].t), -sample.travel};
     const dvec3 surfaces = light_passes(context_.scene, context_.bounds, shadow, sample.reach);
+    lit_[i] = surfaces != dvec3(0);
     if (surfaces == dvec3(0)) {
       passed_[i] = dvec3(0);
       result_.shadow_key += static_cast<uint>(light_ + 1);
@@ -73,6 +80,40 @@ class LightRun {
     const uint stream = (i % 2 ? STREAM_LIGHT_END : STREAM_LIGHT) + static_cast<uint>(light_);
     passed_[i] = surfaces * transmittance_of(media_tau(context_, shadow, sample.distance,
                                                        points_[i].random.child(stream), result_.lookups));
+  }
+
+  // What a point stands for: half of its segment.
+  struct Half {
+    double begin, end;
+    double before(double t) const { return end > begin ? std::clamp((t - begin) / (end - begin), 0.0, 1.0) : 0; }
+  };
+  Half half_of(std::size_t i) const {
+    const std::size_t first = i - i % 2;
+    const double middle = (points_[first].t + points_[first + 1].t) / 2;
+    const double length = (points_[first + 1].t - points_[first].t) * std::sqrt(3.0) / 2;
+    return i == first ? Half{middle - length, middle} : Half{middle, middle + length};
+  }
+
+  // What moves where a shadow begins or ends between points i and i + 1, of which one is lit: half a segment is lit up
+  // to the edge, with the light of that point.
+  dvec3 edge_moves(std::size_t i) const {
+    const dvec3 sends = weights_[i] + weights_[i + 1];
+    if (!lit_[i] || !lit_[i + 1] || *lit_[i] == *lit_[i + 1]) return dvec3(0);
+    if (sum_of(sends * (passed_[i] + passed_[i + 1])) <= tolerance_ / 4 * seen_) return dvec3(0);
+    double near = points_[i].t, far = points_[i + 1].t;
+    for (int halving = 0; halving < 8; ++halving) {
+      const double middle = (near + far) / 2;
+      const LightSample sample =
+          light_at(context_.scene, context_.scene.lights[light_], ray_.at(middle), points_[i].places);
+      const bool lit =
+          sample.distance == 0 ||
+          light_passes(context_.scene, context_.bounds, {ray_.at(middle), -sample.travel}, sample.reach) != dvec3(0);
+      (lit == *lit_[i] ? near : far) = middle;
+    }
+    const double edge = (near + far) / 2, first = half_of(i).before(edge), second = half_of(i + 1).before(edge);
+    const dvec3& light = *lit_[i] ? passed_[i] : passed_[i + 1];
+    const dvec3 moves = weights_[i + 1] * second - weights_[i] * (1 - first);
+    return *lit_[i] ? moves * light : -moves * light;
   }
 
   // Points strictly between two that have been asked.
@@ -90,6 +131,11 @@ class LightRun {
     ask(m);
     const dvec3 mean = (passed_[a] + 2.0 * passed_[m] + passed_[b]) / 4.0, bend = passed_[m] - line(points_[m].t);
     const double off = sum_of(weight * glm::abs(bend));
+    if (surfaces_stand_ && to - from > inside_ / 32) {  // a shadow may lie between
+      between(a, m);
+      between(m, b);
+      return;
+    }
     if (off > tolerance_ * (seen_ + sum_of(weight * mean))) {
       between(a, m);
       between(m, b);
@@ -108,22 +154,25 @@ class LightRun {
   }
 
   const Context& context_;
+  bool surfaces_stand_ = !context_.scene.shapes.empty() || !context_.scene.triangles.empty();
   std::size_t light_;
   const RayD& ray_;
   const std::vector<RunPoint>& points_;
-  double tolerance_, seen_;
+  double tolerance_, inside_, seen_;
   Scattered& result_;
-  std::vector<dvec3> weights_, passed_;  // of each point: what it sends if nothing is in the way; V · T
+  std::vector<std::optional<bool>> lit_;  // V ≠ 0 of those that were asked
+  std::vector<dvec3> weights_, passed_;   // of each point: what it sends if nothing is in the way; V · T
 };
 
 }  // namespace
 
 dvec3 run_radiance(const Context& context, int index, const RayD& ray, const std::vector<RunPoint>& points,
-                   double& seen, Scattered& result) {
+                   double inside, double& seen, Scattered& result) {
   dvec3 sum(0);
   for (std::size_t light = 0; light < context.scene.lights.size(); ++light) {
     const dvec3 its =
-        LightRun(context, context.media[static_cast<std::size_t>(index)], light, ray, points, seen, result).radiance();
+        LightRun(context, context.media[static_cast<std::size_t>(index)], light, ray, points, inside, seen, result)
+            .radiance();
     sum += its;
     seen += sum_of(its);
   }

@@ -160,7 +160,7 @@ struct SegmentWalk {
   }
 
   void run_shine() {
-    result.radiance += run_radiance(context, index, ray, run, seen, result);
+    result.radiance += run_radiance(context, index, ray, run, inside, seen, result);
     run.clear();
   }
 

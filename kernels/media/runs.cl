@@ -4,10 +4,11 @@
 #define BRUME_MEDIA_RUNS_CL
 #include "media/two_points.cl"
 
-#define RUN_POINTS 64    // of 32 segments
-#define RUN_SPAN 4       // points from one that is asked to the next: no parabola is longer
-#define RUN_DEPTH 4      // of intervals that are cut into halves: 2^(RUN_DEPTH - 2) >= RUN_SPAN
-#define RUN_FAINT 0.25f  // of the tolerance: points that could send no more than that are not asked
+#define RUN_POINTS 64            // of 32 segments
+#define RUN_SPAN 4               // points from one that is asked to the next: no parabola is longer
+#define RUN_DEPTH 4              // of intervals that are cut into halves: 2^(RUN_DEPTH - 2) >= RUN_SPAN
+#define RUN_WIDE (1.0f / 32.0f)  // of the ray's way through the medium
+#define RUN_FAINT 0.25f          // of the tolerance: points that could send no more than that are not asked
 
 typedef struct {
   int count;
@@ -25,6 +26,7 @@ typedef struct {
   float weight[3][RUN_POINTS];             // what each sends to the origin if nothing is in the way, per colour
   float upto[TAU_CHANNELS][RUN_POINTS];    // sum of the weights up to each, it included
   float passed[TAU_CHANNELS][RUN_POINTS];  // V · T of what is known
+  int lit[RUN_POINTS];                     // V ≠ 0; -1 of those that were not asked
 } RunLight;
 
 #define RUN_COLOR(color) (TAU_CHANNELS == 1 ? 0 : (color))
@@ -47,6 +49,7 @@ static inline int run_weigh(const Scene* scene, const Stretch* s, const Run* run
   out->first = run->count;
   out->last = -1;
   for (int i = 0; i < run->count; ++i) {
+    out->lit[i] = -1;
     if (!same && i > 0) arriving = run_arriving(scene, s, run, l, i);
     const float3 weight =
         arriving * (float3)(run->gain[0][i], run->gain[TAU_CHANNELS / 2][i], run->gain[TAU_CHANNELS - 1][i]);
@@ -64,6 +67,14 @@ static inline int run_weigh(const Scene* scene, const Stretch* s, const Run* run
   return out->last >= 0;
 }
 
+// V of light l at a place.
+OUTLINED float3 run_surfaces(const Scene* scene, const Stretch* s, int l, float place, MediumResult* result) {
+  const float3 point = vec_point(s->origin, s->dir, s->ray->t_begin + place);
+  const LightSample sample = light_sample(scene, l, point, s->random);
+  ++result->shadow_rays;
+  return light_passes(scene, point, -sample.travel, sample.reach, 0.0f);
+}
+
 // V · T of light l at point i.
 static inline void run_ask(const Scene* scene, const Stretch* s, const Run* run, int l, int i, RunLight* light,
                            MediumResult* result) {
@@ -77,9 +88,9 @@ static inline void run_ask(const Scene* scene, const Stretch* s, const Run* run,
   const Random random = s->walk;
 #endif
   Tau passed = (Tau)(0.0f);
-  ++result->shadow_rays;
-  const float3 surfaces = light_passes(scene, point, -sample.travel, sample.reach, 0.0f);
-  if (!(vec_max(surfaces) > 0.0f))
+  const float3 surfaces = run_surfaces(scene, s, l, run->place[i], result);
+  light->lit[i] = vec_max(surfaces) > 0.0f;
+  if (!light->lit[i])
     result->shadow_key += (uint)(l + 1);
   else
     passed = TAU_OF_COLOR(surfaces) *
@@ -125,6 +136,11 @@ static inline float run_sent(const Run* run, const RunLight* light, int a, int m
   return sum;
 }
 
+// Whether a shadow may lie between a and b that none of the points that are asked would see.
+static inline int run_is_wide(const Stretch* s, const Run* run, int a, int b) {
+  return HAS_SURFACES && run->place[b] - run->place[a] > RUN_WIDE * s->ray->length;
+}
+
 // Fills in the points between a and b by the parabola through m, which is one of them; without one (m = a) by a line.
 static inline void run_fill(const Run* run, int a, int m, int b, RunLight* light) {
   const float from = run->place[a], over = run->place[m], to = run->place[b];
@@ -152,7 +168,8 @@ static inline void run_pass(const Scene* scene, const Stretch* s, const Run* run
     const float off = tests ? run_bend(run, light, known, ask, ends[depth - 1]) : 0.0f;
     if (known < 0) {
       known = ask;
-    } else if (!tests || off > tolerance * run_sent(run, light, known, ask, ends[depth - 1])) {
+    } else if (!tests || run_is_wide(s, run, known, ends[depth - 1]) ||
+               off > tolerance * run_sent(run, light, known, ask, ends[depth - 1])) {
       ends[depth++] = ask;
     } else {
       result->error += (1.0f / 3.0f) * off;
@@ -169,6 +186,64 @@ static inline void run_pass(const Scene* scene, const Stretch* s, const Run* run
   }
 }
 
+#if HAS_SURFACES
+#define RUN_HALVINGS 8  // between two points of which one is lit
+
+// Half of the segment of point i, and where the share of it for which the point stands begins.
+static inline float run_half(const Run* run, int i, float* begin) {
+  const int first = i & ~1;
+  const float apart = run->place[first + 1] - run->place[first], extent = apart * (0.5f / BETWEEN_POINTS);
+  const float middle = 0.5f * (run->place[first] + run->place[first + 1]);
+  *begin = first == i ? middle - extent : middle;
+  return extent;
+}
+
+// Share of the light of point i up to s.
+static inline float run_share(const Run* run, int i, float s) {
+  float begin;
+  const float extent = run_half(run, i, &begin);
+  return extent > 0.0f ? fmin(fmax((s - begin) / extent, 0.0f), 1.0f) : 0.0f;
+}
+
+// Where between two points that follow each other the first is lit and the other is not, or the other way round.
+static inline float run_edge(const Scene* scene, const Stretch* s, const Run* run, int l, int i, int lit,
+                             MediumResult* result) {
+  float near = run->place[i], far = run->place[i + 1];
+  for (int halving = 0; halving < RUN_HALVINGS; ++halving) {
+    const float middle = 0.5f * (near + far);
+    if ((vec_max(run_surfaces(scene, s, l, middle, result)) > 0.0f) == lit)
+      near = middle;
+    else
+      far = middle;
+  }
+  return 0.5f * (near + far);
+}
+
+// Moves the light of points on the two sides of an edge to where it lies.
+static inline void run_edges(const Scene* scene, const Stretch* s, const Run* run, int l, RunLight* light,
+                             MediumResult* result) {
+  const float faint = s->medium->tolerance * RUN_FAINT * run->seen;
+  float here[TAU_CHANNELS], next[TAU_CHANNELS];
+  for (int c = 0; c < TAU_CHANNELS; ++c) next[c] = light->passed[c][light->first];
+  for (int i = light->first; i < light->last; ++i) {
+    float sent = 0.0f;
+    for (int c = 0; c < TAU_CHANNELS; ++c) {
+      here[c] = next[c];
+      next[c] = light->passed[c][i + 1];
+      const float before = i > 0 ? light->upto[c][i - 1] : 0.0f;
+      sent += (light->upto[c][i + 1] - before) * (here[c] + next[c]);
+    }
+    if (light->lit[i] < 0 || light->lit[i + 1] < 0 || light->lit[i] == light->lit[i + 1] || !(sent > faint)) continue;
+    const float edge = run_edge(scene, s, run, l, i, light->lit[i], result);
+    const float first = run_share(run, i, edge), second = run_share(run, i + 1, edge);
+    for (int c = 0; c < TAU_CHANNELS; ++c) {  // of the light of the one that is lit
+      light->passed[c][i] += here[c] * (first - 1.0f) + next[c] * (1.0f - first);
+      light->passed[c][i + 1] += here[c] * second - next[c] * second;
+    }
+  }
+}
+#endif
+
 // What the run sends to the origin; it is empty then.
 OUTLINED float3 run_shine(const Scene* scene, const Stretch* s, Run* run, MediumResult* result) {
   float3 sum = (float3)(0.0f);
@@ -176,6 +251,9 @@ OUTLINED float3 run_shine(const Scene* scene, const Stretch* s, Run* run, Medium
   for (int l = 0; l < scene->frame->light_count; ++l) {
     if (!run_weigh(scene, s, run, l, &light)) continue;
     run_pass(scene, s, run, l, &light, result);
+#if HAS_SURFACES
+    if (scene->lights[l].type != LIGHT_SURFACE) run_edges(scene, s, run, l, &light, result);
+#endif
     float3 its = (float3)(0.0f);
     for (int i = light.first; i <= light.last; ++i)
       its += (float3)(light.weight[0][i] * light.passed[0][i], light.weight[1][i] * light.passed[RUN_COLOR(1)][i],

@@ -99,10 +99,7 @@ cl::Kernel kernel_create(const cl::Program& program, const char* name) {
 
 namespace {
 
-std::string all_options(const std::string& options) {
-  const char* x = std::getenv("BRUME_X");
-  return "-cl-std=CL1.2 -w " + std::string(x ? x : "") + " " + options;
-}
+std::string all_options(const std::string& options) { return "-cl-std=CL1.2 -w " + options; }
 
 }  // namespace
 

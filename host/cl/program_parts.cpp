@@ -30,8 +30,8 @@ struct Request {
 
 std::string part_source(const std::string& includes) { return kernel_source_text(includes, NAME); }
 
-bool both_at_hand(const Context& context, const std::array<std::string, 2>& keys, const std::string& options) {
-  return program_at_hand(context, keys[0], options) && program_at_hand(context, keys[1], options);
+bool both_at_hand(const Context& context, const PartKeys& keys, const std::string& options) {
+  return program_at_hand(context, keys.parts[0], options) && program_at_hand(context, keys.parts[1], options);
 }
 
 // Programs and threads that run or could, this one among them, as often as it takes to pass over what runs but shortly.
@@ -66,15 +66,16 @@ void part_wait(HelperProgram& program) {
 
 }  // namespace
 
-std::array<std::string, 2> part_keys(const PartedSource& source) {
+PartKeys part_keys(const PartedSource& source) {
   char whole[40];
   std::snprintf(whole, sizeof whole, "%016llx%016llx", static_cast<unsigned long long>(hash_bytes(source.whole)),
                 static_cast<unsigned long long>(hash_bytes(source.whole, 1)));
-  return {source.parts[0] + whole, source.parts[1] + whole};
+  return {whole, {source.parts[0] + whole, source.parts[1] + whole}};
 }
 
 bool parts_at_hand(const Context& context, const PartedSource& source, const std::string& options) {
-  return program_at_hand(context, source.whole, options) || both_at_hand(context, part_keys(source), options);
+  const PartKeys keys = part_keys(source);
+  return program_at_hand(context, keys.whole, options) || both_at_hand(context, keys, options);
 }
 
 std::filesystem::path part_program() {
@@ -88,20 +89,21 @@ std::filesystem::path part_program() {
 
 std::vector<cl::Program> parts_build(const Context& context, const PartedSource& source, const std::string& options,
                                      const std::function<std::filesystem::path()>& other) {
-  const std::array<std::string, 2> keys = part_keys(source);
-  const auto build = [&](std::size_t part) {
-    return program_build(context, keys[part], options, [&] { return part_source(source.parts[part]); });
+  const PartKeys keys = part_keys(source);
+  const auto whole = [&] { return program_build(context, keys.whole, options, [&] { return source.whole; }); };
+  const auto part = [&](std::size_t i) {
+    return program_build(context, keys.parts[i], options, [&] { return part_source(source.parts[i]); });
   };
-  if (program_at_hand(context, source.whole, options)) return {program_build(context, source.whole, options)};
-  if (both_at_hand(context, keys, options)) return {build(0), build(1)};
-  const std::string file = program_kept_file(context, keys[1], options).string();
+  if (program_at_hand(context, keys.whole, options)) return {whole()};
+  if (both_at_hand(context, keys, options)) return {part(0), part(1)};
+  const std::string file = program_kept_file(context, keys.parts[1], options).string();
   const bool possible = !file.empty() && context.device().compute_units > 1;
-  const auto started = possible ? part_start(other(), source.parts[1], keys[1], options, file) : nullptr;
-  if (!started) return {program_build(context, source.whole, options)};
-  const cl::Program first = build(0);
+  const auto started = possible ? part_start(other(), source.parts[1], keys.parts[1], options, file) : nullptr;
+  if (!started) return {whole()};
+  const cl::Program first = part(0);
   program_used(context, first);  // all of it is compiled by that, while the other is at work
   part_wait(*started);
-  return {first, build(1)};
+  return {first, part(1)};
 }
 
 bool part_serve(int socket) {

@@ -17,8 +17,12 @@ struct PartedSource {
   std::array<std::string, 2> parts;  // the includes of each part's: a text for kernel_source_text()
 };
 
-// By which program_build() knows each: by the whole, which is put together anyway, and by what it takes of that.
-std::array<std::string, 2> part_keys(const PartedSource& source);
+// By which program_build() knows them: the whole by its hash, a part by that and by what it takes of it.
+struct PartKeys {
+  std::string whole;
+  std::array<std::string, 2> parts;
+};
+PartKeys part_keys(const PartedSource& source);
 
 // Where brume-kernels is; empty where it is not there, or no core is free for it: two parts are more work than a whole.
 std::filesystem::path part_program();

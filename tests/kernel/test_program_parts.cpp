@@ -40,10 +40,12 @@ class ProgramParts : public testing::Test {
     fs::remove_all(folder_);
   }
 
-  fs::path kept(std::size_t part) const { return program_kept_file(context_, part_keys(source())[part], options_); }
+  fs::path kept(std::size_t part) const {
+    return program_kept_file(context_, part_keys(source()).parts[part], options_);
+  }
   // Removes what is kept, and turns to programs that are not built yet.
   void forget() {
-    for (const fs::path& file : {kept(0), kept(1), program_kept_file(context_, source().whole, options_)})
+    for (const fs::path& file : {kept(0), kept(1), program_kept_file(context_, part_keys(source()).whole, options_)})
       fs::remove(file);
     options_ = "-DTEST=" + std::to_string(std::random_device{}());
   }

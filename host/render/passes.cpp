@@ -30,19 +30,19 @@ bool has_specular(const FlatScene& scene, const RenderPlan& plan) {
 
 struct PassRow {
   const char* name;
-  bool takes_scene;  // reads all of it, or nothing
   bool (*runs)(const FlatScene&, const RenderPlan&);
-  int compiles_ms;  // what it takes beside what any program takes, measured on some scenes
+  int compiles_ms;   // what it takes beside what any program takes, measured on some scenes
+  bool takes_scene;  // reads all of it, or nothing
 };
 // In the order of Passes::Id.
-constexpr PassRow PASSES[] = {{"presence_gradients", true, has_liquids, 200},
-                              {"light_grid", true, has_light_grids, 700},
-                              {"primary_rays", true, always, 250},
-                              {"traverse_dda", true, always, 750},
-                              {"shadow_transmittance", true, has_surfaces, 550},
-                              {"shade", true, always, 110},
-                              {"secondary_rays", false, has_specular, 60},
-                              {"accumulate", false, always, 60}};
+constexpr PassRow PASSES[] = {{"presence_gradients", has_liquids, 200, true},
+                              {"light_grid", has_light_grids, 700, true},
+                              {"primary_rays", always, 250, true},
+                              {"traverse_dda", always, 750, true},
+                              {"shadow_transmittance", has_surfaces, 550, true},
+                              {"shade", always, 110, true},
+                              {"secondary_rays", has_specular, 60, false},
+                              {"accumulate", always, 60, false}};
 
 // Rays that a wave has room for, at least: what one sample may send on.
 constexpr std::size_t WAVE_LEAST = 2 * SECONDARY_RAYS_MAX;

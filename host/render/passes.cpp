@@ -31,14 +31,14 @@ bool has_specular(const FlatScene& scene, const RenderPlan& plan) {
 struct PassRow {
   const char* name;
   bool (*runs)(const FlatScene&, const RenderPlan&);
-  int compiles_ms;   // what it takes beside what any program takes, measured on some scenes
+  int compiles_ms;   // beside what any program takes, measured on some scenes; traverse_dda: TRAVERSE_MS
   bool takes_scene;  // reads all of it, or nothing
 };
 // In the order of Passes::Id.
 constexpr PassRow PASSES[] = {{"presence_gradients", has_liquids, 200, true},
                               {"light_grid", has_light_grids, 700, true},
                               {"primary_rays", always, 250, true},
-                              {"traverse_dda", always, 750, true},
+                              {"traverse_dda", always, 0, true},
                               {"shadow_transmittance", has_surfaces, 550, true},
                               {"shade", always, 110, true},
                               {"secondary_rays", has_specular, 60, false},
@@ -58,8 +58,8 @@ double event_seconds(const cl::Event& event) {
 
 namespace {
 
-constexpr int NO_MEDIA_MS = 140;     // of traverse_dda where there are none
-constexpr int OTHER_BEGINS_MS = 60;  // what the program that builds the second part takes to begin
+constexpr int TRAVERSE_MS[] = {140, 620, 900};  // of traverse_dda: without media, with one, with several
+constexpr int OTHER_BEGINS_MS = 60;             // what the program that builds the second part takes to begin
 
 using Parts = std::array<std::size_t, std::size(PASSES)>;
 
@@ -68,8 +68,9 @@ Parts passes_parts(const FlatScene& scene, const RenderPlan& plan) {
   std::array<std::size_t, std::size(PASSES)> order{};
   std::iota(order.begin(), order.end(), std::size_t(0));
   const auto takes = [&](std::size_t id) {
-    return PASSES[id].name == std::string_view("traverse_dda") && scene.media.empty() ? NO_MEDIA_MS
-                                                                                      : PASSES[id].compiles_ms;
+    return PASSES[id].name == std::string_view("traverse_dda")
+               ? TRAVERSE_MS[std::min<std::size_t>(scene.media.size(), 2)]
+               : PASSES[id].compiles_ms;
   };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return takes(a) > takes(b); });
   Parts parts{};

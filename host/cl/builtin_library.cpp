@@ -43,7 +43,7 @@ struct Returned {
   std::uintptr_t held = 0;
 };
 
-// LLVM's own, in what the driver's library is linked with: it is none of the program's libraries.
+// LLVM's own, in what the calling library is linked with: not the program itself, and each driver with its own version.
 template <class Function>
 Function* llvm_function(const char* name, const void* caller) {
   Dl_info driver{};
@@ -70,8 +70,8 @@ extern "C" {
 Returned builtin_parse_file(StringRef file, void* diagnostic, void* context, FunctionRef layout) __asm__(PARSE_FILE);
 Returned builtin_parse_file(StringRef file, void* diagnostic, void* context, FunctionRef layout) {
   const void* const caller = __builtin_return_address(0);
-  static const auto parse = llvm_function<decltype(builtin_parse_file)>(PARSE_FILE, caller);
-  static const auto open = llvm_function<Returned(StringRef, void*, void*, bool)>(OPEN_LAZILY, caller);
+  const auto parse = llvm_function<decltype(builtin_parse_file)>(PARSE_FILE, caller);
+  const auto open = llvm_function<Returned(StringRef, void*, void*, bool)>(OPEN_LAZILY, caller);
   if (known_version && open != nullptr && is_builtin_library(file)) return open(file, diagnostic, context, false);
   return parse(file, diagnostic, context, layout);
 }
@@ -79,10 +79,11 @@ Returned builtin_parse_file(StringRef file, void* diagnostic, void* context, Fun
 void* builtin_get_function(const void* module, StringRef name) __asm__(GET_FUNCTION);
 void* builtin_get_function(const void* module, StringRef name) {
   const void* const caller = __builtin_return_address(0);
-  static const auto get = llvm_function<decltype(builtin_get_function)>(GET_FUNCTION, caller);
-  static const auto read = llvm_function<Returned(void*)>(READ_BODY, caller);
+  const auto get = llvm_function<decltype(builtin_get_function)>(GET_FUNCTION, caller);
   void* const function = get(module, name);
-  if (known_version && function != nullptr && read != nullptr && failed(read(function))) std::abort();
+  if (!known_version || function == nullptr) return function;
+  const auto read = llvm_function<Returned(void*)>(READ_BODY, caller);
+  if (read != nullptr && failed(read(function))) std::abort();
   return function;
 }
 }

@@ -26,3 +26,10 @@ function(brume_room name)
     target_link_libraries(brume_${name} INTERFACE brume_roots ${room_LINKS})
   endif()
 endfunction()
+
+# brume_exports(PROGRAM): its own functions come before those of drivers' libraries.
+function(brume_exports program)
+  set(exported "${PROJECT_SOURCE_DIR}/cmake/exported_symbols.list")
+  target_link_options(${program} PRIVATE "-Wl,--dynamic-list=${exported}")
+  set_property(TARGET ${program} APPEND PROPERTY LINK_DEPENDS "${exported}")
+endfunction()

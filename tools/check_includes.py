@@ -21,6 +21,7 @@ HOST = {
     "flat": "base shared scene volume mesh accel image load",
     "plan": "base shared scene load flat",
     "cl": "base",
+    "compile": "base cl",
     "film": "base shared image",
     "reference": "base shared flat plan film",
     "render": "base shared flat plan film cl",

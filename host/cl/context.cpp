@@ -5,6 +5,7 @@
 #include <array>
 
 #include "base/error.hpp"
+#include "cl/builtin_library.hpp"
 
 namespace brume {
 
@@ -64,7 +65,9 @@ Context::Context(const DeviceInfo& device)
     : device_(device),
       context_(device.device),
       queue_(context_, device.device, CL_QUEUE_PROFILING_ENABLE),
-      allocated_(std::make_shared<std::atomic<std::size_t>>(0)) {}
+      allocated_(std::make_shared<std::atomic<std::size_t>>(0)) {
+  builtin_library_choose(device.platform_version);
+}
 
 cl::Event Context::launch(const cl::Kernel& kernel, std::size_t items) const {
   const std::size_t group = device_.group, groups = std::max<std::size_t>((items + group - 1) / group, 1);

@@ -69,7 +69,7 @@ std::string fresh_folder(std::string damaged) {
 
 void restart_prepare() {
   const std::string folder = kernel_cache_folder(), damaged = variable(AGAIN), fresh = fresh_folder(folder);
-  restart.possible = damaged.empty() && !fresh.empty();
+  restart.possible = std::getenv(AGAIN) == nullptr && !fresh.empty();
   if (!restart.possible) {
     restart.message = "): delete its kernel cache " + (damaged.empty() ? "" : damaged + " and ") + folder +
                       ", and see that the disk is not full\n";
@@ -166,6 +166,8 @@ void driver_failed(const std::string& what) {
   start_again(what.c_str());
   throw RuntimeError("the OpenCL driver failed (" + what + restart.message.substr(0, restart.message.size() - 1));
 }
+
+void driver_start_once() { ::setenv(AGAIN, "", 0); }
 
 void driver_environment() {
   ::setenv(SPECIALIZATION, "0", 0);

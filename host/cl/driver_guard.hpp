@@ -18,6 +18,9 @@ class DriverGuard {
 // The same for a failure that is no signal, after a guard: starts again, else throws RuntimeError.
 [[noreturn]] void driver_failed(const std::string& what);
 
+// Before the first guard, in a program that another one has started: where the driver dies, it dies with it.
+void driver_start_once();
+
 // Before the first call of a driver: PoCL would abort over an empty POCL_CACHE_DIR, which is none, and fail where its
 // cache cannot be written, which then is kept in the temporary folder, with a note. And unless somebody has set it
 // otherwise, PoCL compiles a kernel once, for work-groups and grids of any size: pictures take as long, a grid of

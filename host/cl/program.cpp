@@ -99,31 +99,37 @@ cl::Kernel kernel_create(const cl::Program& program, const char* name) {
 
 namespace {
 
-std::string all_options(const std::string& options) {
-  const char* x = std::getenv("BRUME_X");
-  return "-cl-std=CL1.2 -w " + std::string(x ? x : "") + " " + options;
-}
+std::string all_options(const std::string& options) { return "-cl-std=CL1.2 -w " + options; }
 
 }  // namespace
 
-bool program_at_hand(const Context& context, const std::string& source, const std::string& options) {
-  if (context.programs().count({source, options}) > 0) return true;
-  const std::filesystem::path file = program_file(context.device(), source, all_options(options));
+std::filesystem::path program_kept_file(const Context& context, const std::string& key, const std::string& options) {
+  return program_file(context.device(), key, all_options(options));
+}
+
+bool program_at_hand(const Context& context, const std::string& key, const std::string& options) {
+  if (context.programs().count({key, options}) > 0) return true;
+  const std::filesystem::path file = program_kept_file(context, key, options);
   std::error_code ignored;
   return !file.empty() && std::filesystem::exists(file, ignored);
 }
 
-cl::Program program_build(const Context& context, const std::string& source, const std::string& options) {
-  const auto known = context.programs().find({source, options});
+cl::Program program_build(const Context& context, const std::string& key, const std::string& options,
+                          const std::function<std::string()>& source) {
+  const auto known = context.programs().find({key, options});
   if (known != context.programs().end()) return known->second.program;
   const DriverGuard guard;
   const std::string all = all_options(options);
-  const std::filesystem::path file = program_file(context.device(), source, all);
+  const std::filesystem::path file = program_file(context.device(), key, all);
   const std::optional<cl::Program> kept = program_load(context, file, all);
   const Context::Built built =
-      kept ? Context::Built{*kept, {}} : Context::Built{source_build(context, source, all), file};
-  context.programs()[{source, options}] = built;
+      kept ? Context::Built{*kept, {}} : Context::Built{source_build(context, source(), all), file};
+  context.programs()[{key, options}] = built;
   return built.program;
+}
+
+cl::Program program_build(const Context& context, const std::string& source, const std::string& options) {
+  return program_build(context, source, options, [&] { return source; });
 }
 
 void program_used(const Context& context, const cl::Program& program) {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
+#include <string_view>
 #include <utility>
 
 #include "base/error.hpp"
@@ -28,18 +30,19 @@ bool has_specular(const FlatScene& scene, const RenderPlan& plan) {
 
 struct PassRow {
   const char* name;
-  bool takes_scene;  // reads all of it, or nothing
   bool (*runs)(const FlatScene&, const RenderPlan&);
+  int compiles_ms;   // beside what any program takes, measured on some scenes; traverse_dda: TRAVERSE_MS
+  bool takes_scene;  // reads all of it, or nothing
 };
 // In the order of Passes::Id.
-constexpr PassRow PASSES[] = {{"presence_gradients", true, has_liquids},
-                              {"light_grid", true, has_light_grids},
-                              {"primary_rays", true, always},
-                              {"traverse_dda", true, always},
-                              {"shadow_transmittance", true, has_surfaces},
-                              {"shade", true, always},
-                              {"secondary_rays", false, has_specular},
-                              {"accumulate", false, always}};
+constexpr PassRow PASSES[] = {{"presence_gradients", has_liquids, 200, true},
+                              {"light_grid", has_light_grids, 700, true},
+                              {"primary_rays", always, 250, true},
+                              {"traverse_dda", always, 0, true},
+                              {"shadow_transmittance", has_surfaces, 550, true},
+                              {"shade", always, 110, true},
+                              {"secondary_rays", has_specular, 60, false},
+                              {"accumulate", always, 60, false}};
 
 // Rays that a wave has room for, at least: what one sample may send on.
 constexpr std::size_t WAVE_LEAST = 2 * SECONDARY_RAYS_MAX;
@@ -53,11 +56,47 @@ double event_seconds(const cl::Event& event) {
 
 }  // namespace
 
-std::string passes_source(const FlatScene& scene, const RenderPlan& plan) {
-  std::string text;
-  for (const PassRow& pass : PASSES)
-    if (pass.runs(scene, plan)) text += std::string("#include \"passes/") + pass.name + ".cl\"\n";
-  return kernel_source_text(text, "passes");
+namespace {
+
+constexpr int TRAVERSE_MS[] = {140, 620, 900};  // of traverse_dda: without media, with one, with several
+constexpr int OTHER_BEGINS_MS = 60;             // what the program that builds the second part takes to begin
+
+using Parts = std::array<std::size_t, std::size(PASSES)>;
+
+// Which part each pass is in: the longest first, each goes to the part that is done sooner so far.
+Parts passes_parts(const FlatScene& scene, const RenderPlan& plan) {
+  std::array<std::size_t, std::size(PASSES)> order{};
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  const auto takes = [&](std::size_t id) {
+    return PASSES[id].name == std::string_view("traverse_dda")
+               ? TRAVERSE_MS[std::min<std::size_t>(scene.media.size(), 2)]
+               : PASSES[id].compiles_ms;
+  };
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return takes(a) > takes(b); });
+  Parts parts{};
+  std::array<int, 2> all_ms{0, OTHER_BEGINS_MS};
+  for (const std::size_t id : order) {
+    if (!PASSES[id].runs(scene, plan)) continue;
+    parts[id] = all_ms[1] < all_ms[0];
+    all_ms[parts[id]] += takes(id);
+  }
+  return parts;
+}
+
+}  // namespace
+
+PartedSource passes_source(const FlatScene& scene, const RenderPlan& plan) {
+  const Parts parts = passes_parts(scene, plan);
+  PartedSource source;
+  std::string all;
+  for (std::size_t id = 0; id < std::size(PASSES); ++id) {
+    if (!PASSES[id].runs(scene, plan)) continue;
+    const std::string include = std::string("#include \"passes/") + PASSES[id].name + ".cl\"\n";
+    source.parts[parts[id]] += include;
+    all += include;
+  }
+  source.whole = kernel_source_text(all, "passes");
+  return source;
 }
 
 Passes::Passes(Context& context, std::shared_ptr<DeviceScene> device_scene, const RenderPlan& plan,
@@ -105,15 +144,15 @@ void Passes::create_buffers(std::size_t batch_rays) {
   pixels_ = context_.buffer("pixels", batch_rays * sizeof(FilmPixel));
 }
 
-// PoCL compiles a kernel at its first launch: an
-// empty one moves that out of the render time.
+// PoCL compiles a kernel at its first launch: an empty one moves that out of the render time.
 void Passes::create_kernels(const RenderPlan& plan, const std::string& options) {
   const FlatScene& scene = device_scene_->flat();
   const DriverGuard guard;
-  const cl::Program program = program_build(context_, passes_source(scene, plan), options);
+  const std::vector<cl::Program> programs = parts_build(context_, passes_source(scene, plan), options);
+  const Parts parts = passes_parts(scene, plan);
   for (int id = 0; id < PASS_COUNT; ++id) {
     if (!PASSES[id].runs(scene, plan)) continue;
-    kernels_[id] = kernel_create(program, PASSES[id].name);
+    kernels_[id] = kernel_create(programs[std::min(parts[id], programs.size() - 1)], PASSES[id].name);
     if (PASSES[id].takes_scene) first_argument_[id] = scene_.set_arguments(kernels_[id]);
   }
   try {
@@ -127,7 +166,7 @@ void Passes::create_kernels(const RenderPlan& plan, const std::string& options) 
     failed(error);
   }
   enqueued_.clear();
-  program_used(context_, program);
+  for (const cl::Program& program : programs) program_used(context_, program);
 }
 
 void Passes::failed(const cl::Error& error) const {

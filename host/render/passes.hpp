@@ -7,6 +7,7 @@
 
 #include "base/stopwatch.hpp"
 #include "cl/context.hpp"
+#include "cl/program_parts.hpp"
 #include "plan/render_plan.hpp"
 #include "render/device_scene.hpp"
 #include "render/renderer.hpp"
@@ -14,8 +15,9 @@
 
 namespace brume {
 
-// The kernels of one picture of a scene as one text: the front end reads what they share once.
-std::string passes_source(const FlatScene& scene, const RenderPlan& plan);
+// The kernels of one picture of a scene as one text, whose front end reads what they share once; and in two parts that
+// take about as long to compile.
+PartedSource passes_source(const FlatScene& scene, const RenderPlan& plan);
 
 class Passes {
  public:

@@ -7,7 +7,7 @@
 #include "base/foreign_lines.hpp"
 #include "base/stopwatch.hpp"
 #include "cl/driver_guard.hpp"
-#include "cl/program.hpp"
+#include "cl/program_parts.hpp"
 #include "render/device_scene.hpp"
 #include "render/kernel_options.hpp"
 #include "render/pace.hpp"
@@ -81,9 +81,9 @@ namespace {
 constexpr double GENERIC_RAYS = 65536;
 
 bool generic_is_sooner(const Context& context, const FlatScene& scene, const RenderPlan& plan, int lanes) {
-  const std::string source = passes_source(scene, plan);
+  const PartedSource source = passes_source(scene, plan);
   const auto at_hand = [&](bool generic) {
-    return program_at_hand(context, source, kernel_options(scene, plan, context.device(), lanes, generic));
+    return parts_at_hand(context, source, kernel_options(scene, plan, context.device(), lanes, generic));
   };
   return !at_hand(false) && at_hand(true);
 }

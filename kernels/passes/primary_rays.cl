@@ -40,7 +40,7 @@ OUTLINED void hits_together(const Scene* scene, uint first, uint count, __global
     ray_lane_set(&lanes, i, vec_unpack(ray.origin), vec_unpack(ray.dir), INFINITY);
   }
   rays_hit(scene, &lanes, 0);
-  for (uint i = 0; i < W && first + i < count; ++i) hits[first + i] = lanes.hit[i];
+  for (uint i = 0; i < W && first + i < count; ++i) hits[first + i] = ray_lane_hit(&lanes, (int)i);
 }
 #endif
 

@@ -36,7 +36,7 @@ static inline void shadow_ask(const Scene* scene, __global const Ray* rays, uint
   for (int i = 0; i < W; ++i) {
     if (!(asking >> i & 1)) continue;
     surfaces[i].asked |= 1u << n;
-    if (lanes.hit[i].primitive != PRIMITIVE_NONE) surfaces[i].blocked |= 1u << n;
+    if (lanes.primitive[i] != PRIMITIVE_NONE) surfaces[i].blocked |= 1u << n;
   }
 }
 

@@ -83,7 +83,7 @@ static inline void probe_together(const Scene* scene, uint item, uint count, __g
   }
   rays_hit(scene, &rays, any);
   for (uint i = 0; i < min((uint)W, count - item); ++i) {
-    const Hit hit = rays.hit[i];
+    const Hit hit = ray_lane_hit(&rays, (int)i);
     if (any)
       out[item + i] = (float)(hit.primitive != PRIMITIVE_NONE);
     else

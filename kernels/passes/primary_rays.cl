@@ -20,7 +20,7 @@ static inline Work work_find(__global const Work* work, uint entries, uint item)
 }
 
 // The camera ray of an item of wave 0.
-static inline Ray ray_begin(const Scene* scene, __global const Work* work, uint entries, uint item) {
+OUTLINED void ray_begin(const Scene* scene, __global const Work* work, uint entries, uint item, __global Ray* ray) {
   const Work entry = work_find(work, entries, item);
   Ray camera = camera_ray(scene->frame, entry.pixel, entry.first_sample + (item - entry.first_ray));
   ray_start_before_planes(scene, &camera);
@@ -28,7 +28,7 @@ static inline Ray ray_begin(const Scene* scene, __global const Work* work, uint 
 #if BRUME_STARTS_INSIDE && HAS_SURFACES
   if (scene->frame->starts_inside) ray_begin_inside(scene, &camera);
 #endif
-  return camera;
+  *ray = camera;
 }
 
 // On a CPU the first of W items follows the rays of all of them, which go about the same way.
@@ -51,10 +51,10 @@ __kernel void primary_rays(SCENE_ARGS, __global const Work* work, uint entries, 
   const Scene scene = SCENE_PACK;
 #if RAYS_TOGETHER
   if (item % W != 0) return;
-  for (uint i = item; wave == 0 && i < min(item + W, count); ++i) rays[i] = ray_begin(&scene, work, entries, i);
+  for (uint i = item; wave == 0 && i < min(item + W, count); ++i) ray_begin(&scene, work, entries, i, rays + i);
   hits_together(&scene, item, count, rays, hits);
 #else
-  if (wave == 0) rays[item] = ray_begin(&scene, work, entries, item);
+  if (wave == 0) ray_begin(&scene, work, entries, item, rays + item);
   const Ray ray = rays[item];
   hits[item] = scene_hit(&scene, vec_unpack(ray.origin), vec_unpack(ray.dir), INFINITY, 0);
 #endif

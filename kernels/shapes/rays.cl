@@ -33,6 +33,21 @@ typedef struct {
 #define lanes_load_int(p) LANES_GLUE(vload, BRUME_LANES)(0, p)
 #define lanes_store_int(v, p) LANES_GLUE(vstore, BRUME_LANES)(v, 0, p)
 
+#define lowest_bit(mask) ((int)popcount(((mask) & -(mask)) - 1u))
+
+// Bit i: the condition of lane i, which is 0 or -1. Bytes of all bits or none keep one each and are summed by a product.
+#define BYTES_BITS(bytes) ((uint)((((bytes)&0x8040201008040201ul) * 0x0101010101010101ul) >> 56))
+static inline uint lanes_bits(intW condition) {
+#if W == 16
+  const ulong2 bytes = as_ulong2(convert_char16(condition));
+  return BYTES_BITS(bytes.x) | BYTES_BITS(bytes.y) << 8;
+#elif W == 8
+  return BYTES_BITS(as_ulong(convert_char8(condition)));
+#else
+  return BYTES_BITS((ulong)as_uint(convert_char4(condition)));
+#endif
+}
+
 static inline float3 lane_vector(float v[3][W], int lane) { return (float3)(v[0][lane], v[1][lane], v[2][lane]); }
 
 // t_max not above 0: nothing is looked for.

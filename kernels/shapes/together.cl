@@ -4,6 +4,7 @@
 #define BRUME_SHAPES_TOGETHER_CL
 #include "shapes/forms_together.cl"
 #include "shapes/instance_packet.cl"
+#include "shapes/isosurface_together.cl"
 #include "shapes/shapes.cl"
 
 // On a CPU the first of W work-items works for all of them.
@@ -11,45 +12,38 @@
 
 #if RAYS_TOGETHER
 #if BRUME_SHAPES_USED
-// The closed forms of the list, each against all rays.
-static inline void rays_hit_forms(const Scene* scene, RayLanes* rays, int any) {
+// The shapes of the list, each against all rays: first closed forms, which may end a way before the water.
+static inline void rays_hit_list(const Scene* scene, RayLanes* rays, int any) {
   const RayPacket packet = packet_of_rays(rays);
   PacketHit found = packet_of_hits(rays);
-  for (int n = 0; n < scene->frame->list_count; ++n) {
-    const int index = scene->shape_list[n];
-    const Shape shape = scene->shapes[index];
-    if (USES_SHAPE(ISOSURFACE) && shape.type == SHAPE_ISOSURFACE) continue;
-    const floatW t = shape_hit_lanes(&shape, &packet);
-    const intW nearer = (t < found.t) | ((t == found.t) & (index < found.primitive));
-    found.t = lanes_select(found.t, any ? (floatW)(PACKET_DONE) : t, nearer);
-    found.primitive = select(found.primitive, (intW)(index), nearer);
-  }
+  for (int last = 0; last <= USES_SHAPE(ISOSURFACE); ++last)
+    for (int n = 0; n < scene->frame->list_count; ++n) {
+      const int index = scene->shape_list[n];
+      const Shape shape = scene->shapes[index];
+      if (USES_SHAPE(ISOSURFACE) && (shape.type == SHAPE_ISOSURFACE) != last) continue;
+      if (USES_SHAPE(ISOSURFACE) && last) {
+        isosurface_hits(scene, &shape, index, &packet, &found);
+      } else {
+        const floatW t = shape_hit_lanes(&shape, &packet);
+        const intW nearer = (t < found.t) | ((t == found.t) & (index < found.primitive));
+        found.t = lanes_select(found.t, t, nearer);
+        found.primitive = select(found.primitive, (intW)(index), nearer);
+      }
+      if (any) found.t = lanes_select(found.t, (floatW)(PACKET_DONE), found.primitive != PRIMITIVE_NONE);
+    }
   packet_to_hits(&found, rays);
 }
 
-// What a ray tries by itself: all shapes where there is a tree over them, else isosurfaces.
-static inline void ray_hit_others(const Scene* scene, RayLanes* rays, int lane, int any) {
-  if (!(rays->t[lane] > 0.0f)) return;
-  const float3 origin = lane_vector(rays->origin, lane), dir = lane_vector(rays->dir, lane);
-  Hit hit = ray_lane_hit(rays, lane);
-#if BRUME_SHAPE_BVH
-  if (scene->frame->shape_root >= 0) hit = shapes_hit(scene, origin, dir, hit.t, any);
-#endif
-  for (int n = 0;
-       USES_SHAPE(ISOSURFACE) && (!BRUME_SHAPE_BVH || scene->frame->shape_root < 0) && n < scene->frame->list_count;
-       ++n) {
-    const int index = scene->shape_list[n];
-    const Shape shape = scene->shapes[index];
-    if (shape.type == SHAPE_ISOSURFACE) isosurface_hit(scene, &shape, index, origin, dir, &hit);
-  }
-  if (any && hit.primitive != PRIMITIVE_NONE) hit.t = PACKET_DONE;
-  ray_lane_hits(rays, lane, &hit);
-}
-
 static inline void rays_hit_shapes(const Scene* scene, RayLanes* rays, int any) {
-  if (!BRUME_SHAPE_BVH || scene->frame->shape_root < 0) rays_hit_forms(scene, rays, any);
-  if (!BRUME_SHAPE_BVH && !USES_SHAPE(ISOSURFACE)) return;
-  for (int i = 0; i < W; ++i) ray_hit_others(scene, rays, i, any);
+#if BRUME_SHAPE_BVH
+  for (int i = 0; scene->frame->shape_root >= 0 && i < W; ++i) {
+    Hit hit = shapes_hit(scene, lane_vector(rays->origin, i), lane_vector(rays->dir, i), rays->t[i], any);
+    if (any && hit.primitive != PRIMITIVE_NONE) hit.t = PACKET_DONE;
+    ray_lane_hits(rays, i, &hit);
+  }
+  if (scene->frame->shape_root >= 0) return;
+#endif
+  rays_hit_list(scene, rays, any);
 }
 #endif
 

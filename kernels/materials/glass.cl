@@ -3,16 +3,38 @@
 #ifndef BRUME_MATERIALS_GLASS_CL
 #define BRUME_MATERIALS_GLASS_CL
 #include "materials/inside.cl"
+#include "shapes/together.cl"
 
 #define GLASS_SURFACES 64  // that are looked for along one way; what is behind more of them does not shine
 
-// A way that is followed straight through everything from its begin.
+// A way to a light that is followed straight through everything, and on behind it.
 typedef struct {
+  float3 origin, dir;
+  float distance, gap;  // to the light from `gap` before the origin
+  float3 from;          // where what is left of it begins,
+  float begin;          // and how far along it that is
   int entered[INSIDE_MAX];
   float nowhere;  // length of it inside of nothing that was entered: it may have begun inside of something
   float at;       // up to where its lengths are counted
   float3 left;    // of the light
 } Way;
+
+static inline Way way_begin(float3 origin, float3 dir, float distance, float gap) {
+  Way way;
+  way.origin = way.from = origin;
+  way.dir = dir;
+  way.distance = distance;
+  way.gap = way.begin = gap;
+  inside_begin(way.entered);
+  way.nowhere = way.at = 0.0f;
+  way.left = (float3)(1.0f);
+  return way;
+}
+
+// How far the next surface is looked for.
+static inline float way_ahead(const Way* way) {
+  return way->begin >= way->distance ? INFINITY : way->distance - way->begin;
+}
 
 static inline void way_count(const Scene* scene, Way* way, float to) {
   if (!(to > way->at)) return;
@@ -37,39 +59,37 @@ static inline float interface_passes(const Material* material, const Surface* su
   return material->refraction * (1.0f - fresnel_reflectance(fabs(dot(surface->normal, dir)), 1.0f / material->ior));
 }
 
-// Up to the light surfaces weaken what comes through; behind it they only tell what both lie inside of.
+// Past what it hits next, or that it hits nothing; 0 at its end. Up to the light surfaces weaken what comes through;
+// behind it they only tell what both lie inside of.
+OUTLINED int way_goes_on(const Scene* scene, Way* way, const Hit* hit) {
+  const int behind = way->begin >= way->distance;
+  if (hit->primitive == PRIMITIVE_NONE) {
+    way_count(scene, way, way->distance);
+    if (behind || !(way->nowhere > 0.0f && way->distance < INFINITY)) return 0;
+    way->from = vec_point(way->origin, way->dir, way->distance - way->gap);
+    way->begin = way->distance;
+    return 1;
+  }
+  const Surface surface = surface_at(scene, way->from, way->dir, hit);
+  const Material material = scene->materials[surface.material];
+  way->begin += hit->t;
+  way_count(scene, way, fmin(way->begin, way->distance));
+  if (material.refraction > 0.0f) {
+    way_cross(scene, way, &surface);
+    if (!behind) way->left *= interface_passes(&material, &surface, way->dir);
+  } else if (!behind) {
+    way->left = (float3)(0.0f);
+  }
+  way->from = surface_leave(&surface, way->dir);
+  way->begin += surface_gap(&surface, way->dir);
+  return vec_max(way->left) > 0.0f;
+}
+
 OUTLINED float3 glass_passes(const Scene* scene, float3 origin, float3 dir, float distance, float gap) {
-  Way way;
-  inside_begin(way.entered);
-  way.nowhere = way.at = 0.0f;
-  way.left = (float3)(1.0f);
-  Ray ray;
-  ray.origin = vec_pack(origin);
-  ray.dir = vec_pack(dir);
-  float begin = gap;  // of the ray, along the way
+  Way way = way_begin(origin, dir, distance, gap);
   for (int n = 0; n < GLASS_SURFACES; ++n) {
-    const int behind = begin >= distance;
-    const Hit hit = scene_hit(scene, vec_unpack(ray.origin), dir, behind ? INFINITY : distance - begin, 0);
-    if (hit.primitive == PRIMITIVE_NONE) {
-      way_count(scene, &way, distance);
-      if (behind || !(way.nowhere > 0.0f && distance < INFINITY)) return way.left;
-      ray.origin = vec_pack(vec_point(origin, dir, distance - gap));
-      begin = distance;
-      continue;
-    }
-    const Surface surface = surface_at(scene, &ray, &hit);
-    const Material material = scene->materials[surface.material];
-    begin += hit.t;
-    way_count(scene, &way, fmin(begin, distance));
-    if (material.refraction > 0.0f) {
-      way_cross(scene, &way, &surface);
-      if (!behind) way.left *= interface_passes(&material, &surface, dir);
-    } else if (!behind) {
-      return (float3)(0.0f);
-    }
-    if (!(vec_max(way.left) > 0.0f)) return (float3)(0.0f);
-    ray.origin = vec_pack(surface_leave(&surface, dir));
-    begin += surface_gap(&surface, dir);
+    const Hit hit = scene_hit(scene, way.from, dir, way_ahead(&way), 0);
+    if (!way_goes_on(scene, &way, &hit)) return way.left;
   }
   return (float3)(0.0f);
 }
@@ -82,24 +102,51 @@ static inline float3 light_passes(const Scene* scene, float3 origin, float3 dir,
   return scene_occluded(scene, origin, dir, distance) ? (float3)(0.0f) : (float3)(1.0f);
 }
 
+#if RAYS_TOGETHER
+// light_passes of those of W ways whose bit is set, some: as `left` of each.
+OUTLINED void ways_pass(const Scene* scene, uint open, Way* ways) {
+  const int clear = BRUME_CLEAR_SHADOWS && scene->frame->clear_shadows;
+  RayLanes rays;
+  const int one = lowest_bit(open);
+  for (int i = 0; i < W; ++i)  // others go along, and look for nothing
+    ray_lane_set(&rays, i, ways[one].origin, ways[one].dir, PACKET_DONE);
+  for (int n = 0; n < GLASS_SURFACES && open != 0; ++n) {
+    for (uint left = open; left != 0; left &= left - 1) {
+      const int i = lowest_bit(left);
+      ray_lane_set(&rays, i, ways[i].from, ways[i].dir, clear ? way_ahead(&ways[i]) : ways[i].distance);
+    }
+    rays_hit(scene, &rays, !clear);
+    for (uint left = open; left != 0; left &= left - 1) {
+      const int i = lowest_bit(left);
+      const Hit hit = ray_lane_hit(&rays, i);
+      if (clear && way_goes_on(scene, &ways[i], &hit)) continue;
+      if (!clear && hit.primitive != PRIMITIVE_NONE) ways[i].left = (float3)(0.0f);
+      open &= ~(1u << i);
+      rays.t[i] = PACKET_DONE;
+    }
+  }
+  for (; open != 0; open &= open - 1) ways[lowest_bit(open)].left = (float3)(0.0f);
+}
+#endif
+
 #if BRUME_STARTS_INSIDE
 // What a camera ray begins inside of: what it leaves, straight on, without having entered it.
 OUTLINED void ray_begin_inside(const Scene* scene, Ray* camera) {
   int entered[INSIDE_MAX], count = 0;
-  Ray ray = *camera;
-  const float3 dir = vec_unpack(ray.dir);
+  float3 from = vec_unpack(camera->origin);
+  const float3 dir = vec_unpack(camera->dir);
   inside_begin(entered);
   for (int n = 0; n < GLASS_SURFACES && count < INSIDE_MAX; ++n) {
-    const Hit hit = scene_hit(scene, vec_unpack(ray.origin), dir, INFINITY, 0);
+    const Hit hit = scene_hit(scene, from, dir, INFINITY, 0);
     if (hit.primitive == PRIMITIVE_NONE) return;
-    const Surface surface = surface_at(scene, &ray, &hit);
+    const Surface surface = surface_at(scene, from, dir, &hit);
     if (scene->materials[surface.material].refraction > 0.0f) {
       if (!surface.leaving)
         inside_enter(entered, surface.material);
       else if (!inside_leave(entered, surface.material))
         camera->inside[count++] = surface.material;
     }
-    ray.origin = vec_pack(surface_leave(&surface, dir));
+    from = surface_leave(&surface, dir);
   }
 }
 #endif

@@ -9,7 +9,6 @@ typedef struct {
   int leaving;  // the ray comes from the side to which the shape's own normal does not point: from inside a closed one
   float epsilon;  // offset of rays that leave the point, PICTURE, Hits
   int material;
-  uint asked, blocked;  // bit n: it is known of the light of shadow ray n whether surfaces block it; they do
 } Surface;
 
 static inline float3 triangle_normal(const Triangle* t, const Hit* hit, float3 geometric) {
@@ -37,11 +36,10 @@ static inline int is_textured(const Scene* scene, int material) {
 }
 
 // uv of shapes are 0 where no texture asks: azimuths take longer than the rest of a sphere.
-static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* hit) {
+static inline Surface surface_at(const Scene* scene, float3 origin, float3 dir, const Hit* hit) {
   Surface s;
   s.uv = (float2)(0.0f);
-  const float3 dir = vec_unpack(ray->dir);
-  s.point = vec_point(vec_unpack(ray->origin), dir, hit->t);
+  s.point = vec_point(origin, dir, hit->t);
   int known = -1;  // whether the ray comes from inside, where the hit says so
 #if BRUME_TRIANGLES
   if (hit->primitive >= FIRST_TRIANGLE) {
@@ -67,7 +65,6 @@ static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* 
     s.normal = -s.normal;
   }
   s.epsilon = surface_epsilon(scene, s.point, hit);
-  s.asked = s.blocked = 0;
   return s;
 }
 
@@ -79,7 +76,6 @@ static inline Surface surface_corner(const Scene* scene, const Triangle* t, cons
   s.point = vec_unpack(t->p[k]);
   s.normal = vec_unpack(t->n[k]) * (s.leaving ? -1.0f : 1.0f);
   s.epsilon = surface_epsilon(scene, s.point, hit);
-  s.asked = 0;
   *share = k == 0 ? 1.0f - hit->u - hit->v : (k == 1 ? hit->u : hit->v);
   return s;
 }

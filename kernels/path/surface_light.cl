@@ -1,4 +1,6 @@
-// What a surface sends towards the ray that hit it: its own light, and what it scatters of the lights that reach it.
+// What surfaces send towards the rays that hit them: their own light, and what they scatter of the lights that reach
+// them. Up to W of them side by side ask light by light, so that their shadow rays go together: surfaces of neighbours
+// ask about the same way for a light without extent.
 #ifndef BRUME_PATH_SURFACE_LIGHT_CL
 #define BRUME_PATH_SURFACE_LIGHT_CL
 #include "lights/lights.cl"
@@ -6,78 +8,136 @@
 #include "materials/material.cl"
 #include "media/tau.cl"
 
-// The light of a shadow ray and where the ray begins; 0 where the light comes from behind, or lies in the plane of the
-// surface but for what its point was rounded by: so do neighbours of a solid that emits, along the edge.
-static inline int shadow_ray(const Scene* scene, const Surface* surface, LightPick pick, Random random,
-                             LightSample* light, float3* from) {
-  *light = light_sample(scene, pick.light, surface->point, random);
-  *from = surface_leave(surface, -light->travel);
-  const float height = fabs(light->distance * dot(surface->geometric_normal, light->travel));
-  return dot(surface->normal, -light->travel) > 0.0f && !(height <= surface->epsilon);
-}
-
-// What it scatters of the light of shadow ray n; none where that comes from behind or something blocks it. `weight`: of
-// that in the sample. Of what refracts, highlights are asked for where they count.
-static inline float3 surface_light(const Scene* scene, const Surface* surface, const Material* material, float3 diffuse,
-                                   float3 to_viewer, float3 weight, LightPick pick, int n, Random random,
-                                   SurfaceResult* result) {
-  LightSample light;
-  float3 from;
-  const int faces = shadow_ray(scene, surface, pick, random, &light, &from);
-  const float3 to_light = -light.travel;
-  ++result->shadow_rays;
-  if (!faces) return (float3)(0.0f);
-  const float3 scattered = material_reflect(material, diffuse, surface->normal, to_light, to_viewer);
-  if (material->refraction > 0.0f && vec_max(weight * scattered) < scene->frame->cutoff) return (float3)(0.0f);
-  const int known = n < 32 && (surface->asked >> n & 1);
-  if (known && (surface->blocked >> n & 1)) return (float3)(0.0f);
-  const float3 passes =
-      known ? (float3)(1.0f) : light_passes(scene, from, to_light, light.reach, surface_gap(surface, to_light));
-  if (!(vec_max(passes) > 0.0f)) return (float3)(0.0f);
-  result->lit |= 1u << (pick.light & 31);
-  const float3 transmittance = media_transmittance(scene, from, to_light, light.distance,
-                                                   random_stream(random, STREAM_LIGHT + (uint)n), &result->lookups);
-  return pick.weight * light.irradiance * passes * transmittance * scattered;
-}
-
-// Its own light and what it scatters of all lights that are asked.
-static inline float3 surface_sends(const Scene* scene, const Surface* surface, const Material* material,
-                                   float3 to_viewer, float3 weight, Random random, SurfaceResult* result) {
-  uint second;
-  const float3 diffuse = texture_times(scene, material->diffuse, material->texture, surface->uv, &result->second);
-  float3 sum = texture_times(scene, material->emission, material->emission_texture, surface->uv, &second) +
-               vec_unpack(material->ambient) * vec_unpack(scene->frame->ambient);
-  result->second |= second;
-  const float xi = light_choice(random, 0);
-  for (int n = 0; n < scene->frame->light_picks; ++n)
-    sum += surface_light(scene, surface, material, diffuse, to_viewer, weight, light_choose(scene, n, xi), n, random,
-                         result);
-  return sum;
-}
-
-// Of a triangle that blends the light of its corners [Gouraud71], theirs.
-static inline float3 surface_lights(const Scene* scene, const Surface* surface, const Hit* hit,
-                                    const Material* material, float3 to_viewer, float3 weight, Random random,
-                                    SurfaceResult* result) {
-#if BRUME_GOURAUD && BRUME_TRIANGLES
-  Triangle triangle;
-  int corners = 1;
-  if (hit->primitive >= FIRST_TRIANGLE) {
-    float3 geometric;
-    triangle = triangle_of(scene, hit->primitive, hit->instance, &geometric);
-    if (triangle.shading == TRIANGLE_GOURAUD) corners = 3;
-  }
-  float3 sum = (float3)(0.0f);
-  for (int k = 0; k < corners; ++k) {
-    float share = 1.0f;
-    const Surface at = corners == 1 ? *surface : surface_corner(scene, &triangle, hit, surface, k, &share);
-    sum += share * surface_sends(scene, &at, material, to_viewer, weight, random, result);
-  }
-  return sum;
+#if RAYS_TOGETHER
+#define SURFACES W
+#define SHADOWS_LEAST (W / 4)  // of fewer shadow rays each goes through the triangles alone
 #else
-  (void)hit;
-  return surface_sends(scene, surface, material, to_viewer, weight, random, result);
+#define SURFACES 1
+#endif
+
+// A surface that is lit.
+typedef struct {
+  Surface at;
+  Material material;
+  float3 to_viewer;
+  float3 weight;  // of its light in the sample
+  float3 diffuse;
+  float3 sum;  // what it sends
+  Random random;
+} LitSurface;
+
+// What it asks of one light.
+typedef struct {
+  LightPick pick;
+  LightSample light;
+  float3 from;       // where the shadow ray begins
+  float3 scattered;  // of what arrives
+  float3 passes;     // what surfaces leave of it
+} LightAsked;
+
+// Whether light n is asked for: not where it comes from behind, or lies in the plane of the surface but for what its
+// point was rounded by, as neighbours of a solid that emits do along the edge. Of what refracts, highlights are asked
+// for where they count.
+static inline int light_ask(const Scene* scene, const LitSurface* lit, int n, LightAsked* asked) {
+  const Surface* surface = &lit->at;
+  asked->pick = light_choose(scene, n, light_choice(lit->random, 0));
+  asked->light = light_sample(scene, asked->pick.light, surface->point, lit->random);
+  const float3 to_light = -asked->light.travel;
+  const float height = fabs(asked->light.distance * dot(surface->geometric_normal, to_light));
+  if (!(dot(surface->normal, to_light) > 0.0f) || height <= surface->epsilon) return 0;
+  asked->from = surface_leave(surface, to_light);
+  asked->scattered = material_reflect(&lit->material, lit->diffuse, surface->normal, to_light, lit->to_viewer);
+  return !(lit->material.refraction > 0.0f && vec_max(lit->weight * asked->scattered) < scene->frame->cutoff);
+}
+
+#if RAYS_TOGETHER
+static inline void shadows_together(const Scene* scene, uint asking, const LitSurface* lit, LightAsked* asked) {
+  Way ways[W];
+  for (uint left = asking; left != 0; left &= left - 1) {
+    const int i = lowest_bit(left);
+    const float3 to_light = -asked[i].light.travel;
+    ways[i] = way_begin(asked[i].from, to_light, asked[i].light.reach, surface_gap(&lit[i].at, to_light));
+  }
+  ways_pass(scene, asking, ways);
+  for (uint left = asking; left != 0; left &= left - 1) asked[lowest_bit(left)].passes = ways[lowest_bit(left)].left;
+}
+#endif
+
+// What surfaces leave of the lights that are asked for, those whose bit is set.
+static inline void shadows_follow(const Scene* scene, uint asking, const LitSurface* lit, LightAsked* asked) {
+#if RAYS_TOGETHER
+  if (!BRUME_TRIANGLES || popcount(asking) >= SHADOWS_LEAST) {
+    shadows_together(scene, asking, lit, asked);
+    return;
+  }
+#endif
+#if BRUME_TRIANGLES || !RAYS_TOGETHER
+  for (int i = 0; i < SURFACES; ++i) {
+    if (!(asking >> i & 1)) continue;
+    const float3 to_light = -asked[i].light.travel;
+    asked[i].passes =
+        light_passes(scene, asked[i].from, to_light, asked[i].light.reach, surface_gap(&lit[i].at, to_light));
+  }
 #endif
 }
+
+// Adds what it scatters of the light of shadow ray n.
+static inline void light_add(const Scene* scene, const LightAsked* asked, int n, LitSurface* lit,
+                             SurfaceResult* result) {
+  if (!(vec_max(asked->passes) > 0.0f)) return;
+  result->lit |= 1u << (asked->pick.light & 31);
+  const float3 transmittance =
+      media_transmittance(scene, asked->from, -asked->light.travel, asked->light.distance,
+                          random_stream(lit->random, STREAM_LIGHT + (uint)n), &result->lookups);
+  lit->sum += asked->pick.weight * asked->light.irradiance * asked->passes * transmittance * asked->scattered;
+}
+
+// What the surface sends of its own, and the colors of its textures.
+static inline void surface_glow(const Scene* scene, LitSurface* lit, SurfaceResult* result) {
+  const Material* m = &lit->material;
+  uint second;
+  lit->diffuse = texture_times(scene, m->diffuse, m->texture, lit->at.uv, &result->second);
+  lit->sum = texture_times(scene, m->emission, m->emission_texture, lit->at.uv, &second) +
+             vec_unpack(m->ambient) * vec_unpack(scene->frame->ambient);
+  result->second |= second;
+}
+
+// Adds what the surfaces whose bit is set in `there` scatter of all lights that are asked.
+OUTLINED void surfaces_scatter(const Scene* scene, uint there, LitSurface* lit, SurfaceResult* results) {
+  LightAsked asked[SURFACES];
+  for (int n = 0; n < scene->frame->light_picks; ++n) {
+    uint asking = 0;
+    for (int i = 0; i < SURFACES; ++i) {
+      if (!(there >> i & 1)) continue;
+      ++results[i].shadow_rays;
+      if (light_ask(scene, lit + i, n, asked + i)) asking |= 1u << i;
+    }
+    if (asking == 0) continue;
+    shadows_follow(scene, asking, lit, asked);
+    for (int i = 0; i < SURFACES; ++i)
+      if (asking >> i & 1) light_add(scene, asked + i, n, lit + i, results + i);
+  }
+}
+
+#if BRUME_GOURAUD && BRUME_TRIANGLES
+// Of a triangle that blends the light of its corners [Gouraud71], theirs.
+static inline void surface_blend(const Scene* scene, const Hit* hit, LitSurface* lit, SurfaceResult* result) {
+  float3 geometric, sum = (float3)(0.0f);
+  const Triangle triangle = triangle_of(scene, hit->primitive, hit->instance, &geometric);
+  for (int k = 0; k < 3; ++k) {
+    float share;
+    LitSurface corner = *lit;
+    corner.at = surface_corner(scene, &triangle, hit, &lit->at, k, &share);
+    surfaces_scatter(scene, 1u, &corner, result);
+    sum += share * corner.sum;
+  }
+  lit->sum = sum;
+}
+
+static inline int surface_blends(const Scene* scene, const Hit* hit) {
+  return hit->primitive >= FIRST_TRIANGLE &&
+         scene->triangles[hit->primitive - FIRST_TRIANGLE].shading == TRIANGLE_GOURAUD;
+}
+#endif
 
 #endif

@@ -113,19 +113,13 @@ PROBE(probe_occluded) {
 PROBE(probe_surface) {
   PROBE_ITEM;
   __global const float* v = in + 11 * item;
-  Ray ray;
-  ray.origin = vec_pack(probe_load3(v));
-  ray.dir = vec_pack(probe_load3(v + 3));
-  ray.pixel = 0;
-  ray.sample = 0;
-  ray.start = 0.0f;
   Hit hit;
   hit.t = v[6];
   hit.primitive = as_int(v[7]);
   hit.u = v[8];
   hit.v = v[9];
   hit.instance = as_int(v[10]);
-  const Surface s = surface_at(&scene, &ray, &hit);
+  const Surface s = surface_at(&scene, probe_load3(v), probe_load3(v + 3), &hit);
   probe_store3(s.geometric_normal, out + 8 * item);
   probe_store3(s.normal, out + 8 * item + 3);
   out[8 * item + 6] = s.uv.x;

@@ -3,7 +3,6 @@
 #ifndef BRUME_MATERIALS_GLASS_CL
 #define BRUME_MATERIALS_GLASS_CL
 #include "materials/inside.cl"
-#include "shapes/together.cl"
 
 #define GLASS_SURFACES 64  // that are looked for along one way; what is behind more of them does not shine
 
@@ -13,6 +12,7 @@ typedef struct {
   float distance, gap;  // to the light from `gap` before the origin
   float3 from;          // where what is left of it begins,
   float begin;          // and how far along it that is
+  int surfaces;         // that were looked for
   int entered[INSIDE_MAX];
   float nowhere;  // length of it inside of nothing that was entered: it may have begun inside of something
   float at;       // up to where its lengths are counted
@@ -25,6 +25,7 @@ static inline Way way_begin(float3 origin, float3 dir, float distance, float gap
   way.dir = dir;
   way.distance = distance;
   way.gap = way.begin = gap;
+  way.surfaces = 0;
   inside_begin(way.entered);
   way.nowhere = way.at = 0.0f;
   way.left = (float3)(1.0f);
@@ -62,6 +63,7 @@ static inline float interface_passes(const Material* material, const Surface* su
 // Past what it hits next, or that it hits nothing; 0 at its end. Up to the light surfaces weaken what comes through;
 // behind it they only tell what both lie inside of.
 OUTLINED int way_goes_on(const Scene* scene, Way* way, const Hit* hit) {
+  ++way->surfaces;
   const int behind = way->begin >= way->distance;
   if (hit->primitive == PRIMITIVE_NONE) {
     way_count(scene, way, way->distance);
@@ -74,10 +76,10 @@ OUTLINED int way_goes_on(const Scene* scene, Way* way, const Hit* hit) {
   const Material material = scene->materials[surface.material];
   way->begin += hit->t;
   way_count(scene, way, fmin(way->begin, way->distance));
-  if (material.refraction > 0.0f) {
+  if (material.refraction > 0.0f && way->surfaces < GLASS_SURFACES) {
     way_cross(scene, way, &surface);
     if (!behind) way->left *= interface_passes(&material, &surface, way->dir);
-  } else if (!behind) {
+  } else if (!behind || way->surfaces == GLASS_SURFACES) {
     way->left = (float3)(0.0f);
   }
   way->from = surface_leave(&surface, way->dir);
@@ -87,11 +89,11 @@ OUTLINED int way_goes_on(const Scene* scene, Way* way, const Hit* hit) {
 
 OUTLINED float3 glass_passes(const Scene* scene, float3 origin, float3 dir, float distance, float gap) {
   Way way = way_begin(origin, dir, distance, gap);
-  for (int n = 0; n < GLASS_SURFACES; ++n) {
-    const Hit hit = scene_hit(scene, way.from, dir, way_ahead(&way), 0);
-    if (!way_goes_on(scene, &way, &hit)) return way.left;
-  }
-  return (float3)(0.0f);
+  Hit hit;
+  do {
+    hit = scene_hit(scene, way.from, dir, way_ahead(&way), 0);
+  } while (way_goes_on(scene, &way, &hit));
+  return way.left;
 }
 
 // V: what surfaces leave of the light that comes over `distance` along -dir to a point; origin lies `gap` before it.
@@ -101,33 +103,6 @@ static inline float3 light_passes(const Scene* scene, float3 origin, float3 dir,
 #endif
   return scene_occluded(scene, origin, dir, distance) ? (float3)(0.0f) : (float3)(1.0f);
 }
-
-#if RAYS_TOGETHER
-// light_passes of those of W ways whose bit is set, some: as `left` of each.
-OUTLINED void ways_pass(const Scene* scene, uint open, Way* ways) {
-  const int clear = BRUME_CLEAR_SHADOWS && scene->frame->clear_shadows;
-  RayLanes rays;
-  const int one = lowest_bit(open);
-  for (int i = 0; i < W; ++i)  // others go along, and look for nothing
-    ray_lane_set(&rays, i, ways[one].origin, ways[one].dir, PACKET_DONE);
-  for (int n = 0; n < GLASS_SURFACES && open != 0; ++n) {
-    for (uint left = open; left != 0; left &= left - 1) {
-      const int i = lowest_bit(left);
-      ray_lane_set(&rays, i, ways[i].from, ways[i].dir, clear ? way_ahead(&ways[i]) : ways[i].distance);
-    }
-    rays_hit(scene, &rays, !clear);
-    for (uint left = open; left != 0; left &= left - 1) {
-      const int i = lowest_bit(left);
-      const Hit hit = ray_lane_hit(&rays, i);
-      if (clear && way_goes_on(scene, &ways[i], &hit)) continue;
-      if (!clear && hit.primitive != PRIMITIVE_NONE) ways[i].left = (float3)(0.0f);
-      open &= ~(1u << i);
-      rays.t[i] = PACKET_DONE;
-    }
-  }
-  for (; open != 0; open &= open - 1) ways[lowest_bit(open)].left = (float3)(0.0f);
-}
-#endif
 
 #if BRUME_STARTS_INSIDE
 // What a camera ray begins inside of: what it leaves, straight on, without having entered it.

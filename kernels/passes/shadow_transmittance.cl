@@ -46,27 +46,28 @@ OUTLINED void surfaces_answer(const Scene* scene, uint wave, uint count, __globa
                               __global SurfaceResult* surfaces, __global Ray* sent) {
   LitSurface lit[SURFACES];
   SurfaceResult its[SURFACES];
-  uint met = 0, asks = 0;
+  int met = 0;
   for (uint i = 0; i < min((uint)SURFACES, count); ++i) {
     const Hit hit = hits[i];
     if (hit.primitive == PRIMITIVE_NONE) continue;
     const Ray ray = rays[i];
-    met |= 1u << i;
-    if (surface_begin(scene, &ray, &hit, vec_unpack(results[i].transmittance), lit + i, its + i)) asks |= 1u << i;
+    lit[met].ray = i;
+    lit[met].asks = surface_begin(scene, &ray, &hit, vec_unpack(results[i].transmittance), lit + met, its + met);
+    ++met;
   }
-  surfaces_scatter(scene, asks, lit, its);
-  for (uint i = 0; met >> i != 0; ++i) {
-    if (!(met >> i & 1)) continue;
-    if (asks >> i & 1) its[i].radiance = vec_pack(lit[i].sum);
+  surfaces_scatter(scene, lit, its, met);
+  for (int k = 0; k < met; ++k) {
+    const uint i = lit[k].ray;
+    if (lit[k].asks) its[k].radiance = vec_pack(lit[k].sum);
 #if BRUME_SPECULAR
     if ((int)wave < scene->frame->max_depth && scene->frame->directions == 0)
-      rays_send(scene, rays + i, &lit[i].at, &lit[i].material, lit[i].weight, sent + (size_t)SENT_MAX * i, its + i);
+      rays_send(scene, rays + i, &lit[k].at, &lit[k].material, lit[k].weight, sent + (size_t)SENT_MAX * i, its + k);
 #endif
-    surfaces[i] = its[i];
+    surfaces[i] = its[k];
   }
 }
 
-// `wave`: how many surfaces the rays have met before. On a CPU the first of W items works for all of them.
+// `wave`: how many surfaces the rays have met before. On a CPU one of several items works for all of them.
 __kernel void shadow_transmittance(SCENE_ARGS, uint wave, uint count, __global const Ray* rays,
                                    __global const Hit* hits, __global const MediumResult* results,
                                    __global SurfaceResult* surfaces, __global Ray* sent) {

@@ -1,15 +1,15 @@
 // What surfaces send towards the rays that hit them: their own light, and what they scatter of the lights that reach
-// them. Up to W of them side by side ask light by light, so that their shadow rays go together: surfaces of neighbours
-// ask about the same way for a light without extent.
+// them. Several of them side by side ask light by light, so that their shadow rays go together.
 #ifndef BRUME_PATH_SURFACE_LIGHT_CL
 #define BRUME_PATH_SURFACE_LIGHT_CL
 #include "lights/lights.cl"
 #include "materials/glass.cl"
 #include "materials/material.cl"
 #include "media/tau.cl"
+#include "shapes/together.cl"
 
 #if RAYS_TOGETHER
-#define SURFACES W
+#define SURFACES (4 * W)       // so that most lanes have a shadow ray
 #define SHADOWS_LEAST (W / 4)  // of fewer shadow rays each goes through the triangles alone
 #else
 #define SURFACES 1
@@ -17,6 +17,8 @@
 
 // A surface that is lit.
 typedef struct {
+  uint ray;  // its number among those that are worked for
+  int asks;  // for lights
   Surface at;
   Material material;
   float3 to_viewer;
@@ -28,9 +30,11 @@ typedef struct {
 
 // What it asks of one light.
 typedef struct {
+  int surface;
   LightPick pick;
   LightSample light;
-  float3 from;       // where the shadow ray begins
+  float3 from;       // where the shadow ray begins,
+  float gap;         // and how far before the surface
   float3 scattered;  // of what arrives
   float3 passes;     // what surfaces leave of it
 } LightAsked;
@@ -46,38 +50,55 @@ static inline int light_ask(const Scene* scene, const LitSurface* lit, int n, Li
   const float height = fabs(asked->light.distance * dot(surface->geometric_normal, to_light));
   if (!(dot(surface->normal, to_light) > 0.0f) || height <= surface->epsilon) return 0;
   asked->from = surface_leave(surface, to_light);
+  asked->gap = surface_gap(surface, to_light);
   asked->scattered = material_reflect(&lit->material, lit->diffuse, surface->normal, to_light, lit->to_viewer);
   return !(lit->material.refraction > 0.0f && vec_max(lit->weight * asked->scattered) < scene->frame->cutoff);
 }
 
 #if RAYS_TOGETHER
-static inline void shadows_together(const Scene* scene, uint asking, const LitSurface* lit, LightAsked* asked) {
+// Each lane follows one way after the other: of clear shadows some end sooner.
+OUTLINED void shadows_together(const Scene* scene, LightAsked* asked, int count) {
+  const int clear = BRUME_CLEAR_SHADOWS && scene->frame->clear_shadows;
+  RayLanes rays;
   Way ways[W];
-  for (uint left = asking; left != 0; left &= left - 1) {
-    const int i = lowest_bit(left);
-    const float3 to_light = -asked[i].light.travel;
-    ways[i] = way_begin(asked[i].from, to_light, asked[i].light.reach, surface_gap(&lit[i].at, to_light));
-  }
-  ways_pass(scene, asking, ways);
-  for (uint left = asking; left != 0; left &= left - 1) asked[lowest_bit(left)].passes = ways[lowest_bit(left)].left;
+  int name[W], next = 0, open = 0;
+  for (int i = 0; i < W; ++i) name[i] = -1;
+  do {
+    for (int i = 0; i < W; ++i) {
+      if (name[i] < 0 && next < count) {
+        const LightAsked* its = asked + next;
+        name[i] = next++;
+        ++open;
+        ways[i] = way_begin(its->from, -its->light.travel, its->light.reach, its->gap);
+      }
+      const Way* way = ways + (name[i] < 0 ? 0 : i);  // lanes without one go along, and look for nothing
+      ray_lane_set(&rays, i, way->from, way->dir, name[i] < 0 ? PACKET_DONE : (clear ? way_ahead(way) : way->distance));
+    }
+    rays_hit(scene, &rays, !clear);
+    for (int i = 0; i < W; ++i) {
+      if (name[i] < 0) continue;
+      const Hit hit = ray_lane_hit(&rays, i);
+      if (clear && way_goes_on(scene, &ways[i], &hit)) continue;
+      if (!clear && hit.primitive != PRIMITIVE_NONE) ways[i].left = (float3)(0.0f);
+      asked[name[i]].passes = ways[i].left;
+      name[i] = -1;
+      --open;
+    }
+  } while (open > 0 || next < count);
 }
 #endif
 
-// What surfaces leave of the lights that are asked for, those whose bit is set.
-static inline void shadows_follow(const Scene* scene, uint asking, const LitSurface* lit, LightAsked* asked) {
+// What surfaces leave of the lights that are asked for.
+static inline void shadows_follow(const Scene* scene, LightAsked* asked, int count) {
 #if RAYS_TOGETHER
-  if (!BRUME_TRIANGLES || popcount(asking) >= SHADOWS_LEAST) {
-    shadows_together(scene, asking, lit, asked);
+  if (!BRUME_TRIANGLES || count >= SHADOWS_LEAST) {
+    if (count > 0) shadows_together(scene, asked, count);
     return;
   }
 #endif
 #if BRUME_TRIANGLES || !RAYS_TOGETHER
-  for (int i = 0; i < SURFACES; ++i) {
-    if (!(asking >> i & 1)) continue;
-    const float3 to_light = -asked[i].light.travel;
-    asked[i].passes =
-        light_passes(scene, asked[i].from, to_light, asked[i].light.reach, surface_gap(&lit[i].at, to_light));
-  }
+  for (LightAsked* its = asked; its < asked + count; ++its)
+    its->passes = light_passes(scene, its->from, -its->light.travel, its->light.reach, its->gap);
 #endif
 }
 
@@ -102,20 +123,20 @@ static inline void surface_glow(const Scene* scene, LitSurface* lit, SurfaceResu
   result->second |= second;
 }
 
-// Adds what the surfaces whose bit is set in `there` scatter of all lights that are asked.
-OUTLINED void surfaces_scatter(const Scene* scene, uint there, LitSurface* lit, SurfaceResult* results) {
+// Adds what surfaces scatter of all lights that they ask for.
+OUTLINED void surfaces_scatter(const Scene* scene, LitSurface* lit, SurfaceResult* results, int count) {
   LightAsked asked[SURFACES];
   for (int n = 0; n < scene->frame->light_picks; ++n) {
-    uint asking = 0;
-    for (int i = 0; i < SURFACES; ++i) {
-      if (!(there >> i & 1)) continue;
+    int asking = 0;
+    for (int i = 0; i < count; ++i) {
+      if (!lit[i].asks) continue;
       ++results[i].shadow_rays;
-      if (light_ask(scene, lit + i, n, asked + i)) asking |= 1u << i;
+      asked[asking].surface = i;
+      asking += light_ask(scene, lit + i, n, asked + asking);
     }
-    if (asking == 0) continue;
-    shadows_follow(scene, asking, lit, asked);
-    for (int i = 0; i < SURFACES; ++i)
-      if (asking >> i & 1) light_add(scene, asked + i, n, lit + i, results + i);
+    shadows_follow(scene, asked, asking);
+    for (const LightAsked* its = asked; its < asked + asking; ++its)
+      light_add(scene, its, n, lit + its->surface, results + its->surface);
   }
 }
 
@@ -127,8 +148,9 @@ static inline void surface_blend(const Scene* scene, const Hit* hit, LitSurface*
   for (int k = 0; k < 3; ++k) {
     float share;
     LitSurface corner = *lit;
+    corner.asks = 1;
     corner.at = surface_corner(scene, &triangle, hit, &lit->at, k, &share);
-    surfaces_scatter(scene, 1u, &corner, result);
+    surfaces_scatter(scene, &corner, result, 1);
     sum += share * corner.sum;
   }
   lit->sum = sum;

@@ -38,9 +38,11 @@ static inline void walks_begin(const Medium* grid, const RayPacket* rays, LanesW
   const float lo[3] = {grid->lo.x, grid->lo.y, grid->lo.z}, hi[3] = {grid->hi.x, grid->hi.y, grid->hi.z};
   floatW t0 = (floatW)(0.0f), t1 = (floatW)(INFINITY);
   intW inside = (intW)(-1);
+#pragma unroll
   for (int k = 0; k < 3; ++k) inside &= lanes_slab_cut((floatW)(lo[k]), (floatW)(hi[k]), o.v[k], d.v[k], &t0, &t1);
   w->t_begin = t0;
   w->length = lanes_select((floatW)(0.0f), t1 - t0, inside & (t0 <= t1));
+#pragma unroll
   for (int k = 0; k < 3; ++k) {
     const floatW entry = mad_exact(t0, d.v[k], o.v[k]);
     w->axis[k].ray_origin = fmin_ordered(fmax_ordered(entry, (floatW)(lo[k])), (floatW)(hi[k]));
@@ -74,6 +76,7 @@ static inline void walks_step_brick(const Medium* grid, LanesWalk* w, intW some)
   LanesAxis* a = w->axis;
   const floatW exit = fmin_ordered(fmin_ordered(a[0].brick_exit, a[1].brick_exit), a[2].brick_exit);
   intW within = exit < INFINITY;
+#pragma unroll
   for (int k = 0; k < 3; ++k) {
     a[k].brick += lanes_select((floatW)(0.0f), a[k].step, some & (a[k].brick_exit <= exit));
     a[k].brick_exit = lanes_crossing(&a[k], (a[k].brick + a[k].ahead) * BRICK_CELLS);
@@ -110,6 +113,7 @@ static inline void walks_brick(const Scene* scene, const Medium* grid, float iso
   walks_end(w, changes);
   w->s = lanes_select(w->s, exit, known & ~changes);
   const intW enter = crossed & ~known;
+#pragma unroll
   for (int k = 0; k < 3; ++k) lanes_enter_brick(&a[k], w->s, enter);
   w->brick_end = lanes_select(w->brick_end, exit, enter);
   w->number = select(w->number, entry, enter);
@@ -134,6 +138,7 @@ static inline LanesCell walks_load(const Scene* scene, float iso, const LanesWal
     c.corner[2 * i + 1] = brick_density(scene, number, right);
   }
   c.iso = (floatW)(iso);
+#pragma unroll
   for (int k = 0; k < 3; ++k) {
     const floatW p = mad_exact(w->s, a[k].ray_dir, a[k].ray_origin) - a[k].cell;
     c.p.v[k] = fmin_ordered(fmax_ordered(p, (floatW)(0.0f)), (floatW)(1.0f));
@@ -169,6 +174,7 @@ static inline void walks_cell(const Scene* scene, const Medium* grid, float iso,
     steps = w->cells;
   }
   w->s = lanes_select(w->s, fmax_ordered(w->s, exit), steps);
+#pragma unroll
   for (int k = 0; k < 3; ++k) {
     a[k].cell += lanes_select((floatW)(0.0f), a[k].step, steps & (a[k].cell_exit <= exit));
     a[k].cell_exit = lanes_crossing(&a[k], a[k].cell + a[k].ahead);
@@ -184,6 +190,7 @@ static inline void walks_cell(const Scene* scene, const Medium* grid, float iso,
 static inline floatW walks_border(const Medium* grid, const LanesWalk* w, floatW s) {
   const float lo[3] = {grid->lo.x, grid->lo.y, grid->lo.z}, hi[3] = {grid->hi.x, grid->hi.y, grid->hi.z};
   floatW off[3], name[3];
+#pragma unroll
   for (int k = 0; k < 3; ++k) {
     const floatW p = mad_exact(s, w->axis[k].ray_dir, w->axis[k].ray_origin);
     const floatW below = fabs(p - lo[k]), above = fabs(hi[k] - p);
@@ -204,6 +211,7 @@ OUTLINED void isosurface_hits(const Scene* scene, const Shape* shape, int index,
   walks_begin(&grid, rays, &w);
   w.walks = (w.length > 0.0f) & (w.t_begin < hit->t);
   if (!lanes_any(w.walks)) return;
+#pragma unroll
   for (int k = 0; k < 3; ++k) lanes_axis_begin(&w.axis[k], w.length, bricks[k]);
   w.end = fmin_ordered(w.length, hit->t - w.t_begin);
   w.s = w.brick_end = (floatW)(0.0f);

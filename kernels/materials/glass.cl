@@ -72,7 +72,8 @@ OUTLINED int way_goes_on(const Scene* scene, Way* way, const Hit* hit) {
     way->begin = way->distance;
     return 1;
   }
-  const Surface surface = surface_at(scene, way->from, way->dir, hit);
+  Surface surface;
+  surface_at(scene, way->from, way->dir, hit, &surface);
   const Material material = scene->materials[surface.material];
   way->begin += hit->t;
   way_count(scene, way, fmin(way->begin, way->distance));
@@ -114,7 +115,8 @@ OUTLINED void ray_begin_inside(const Scene* scene, Ray* camera) {
   for (int n = 0; n < GLASS_SURFACES && count < INSIDE_MAX; ++n) {
     const Hit hit = scene_hit(scene, from, dir, INFINITY, 0);
     if (hit.primitive == PRIMITIVE_NONE) return;
-    const Surface surface = surface_at(scene, from, dir, &hit);
+    Surface surface;
+    surface_at(scene, from, dir, &hit, &surface);
     if (scene->materials[surface.material].refraction > 0.0f) {
       if (!surface.leaving)
         inside_enter(entered, surface.material);

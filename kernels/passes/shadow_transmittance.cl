@@ -13,10 +13,10 @@ static inline SurfaceResult result_begin(void) {
 }
 
 // What the ray finds; 0 where no light is asked for it.
-OUTLINED int surface_begin(const Scene* scene, const Ray* ray, const Hit* hit, float3 transmittance, LitSurface* lit,
-                           SurfaceResult* result) {
+OUTLINED int surface_begin(const Scene* scene, __global const Ray* ray, const Hit* hit, float3 transmittance,
+                           LitSurface* lit, SurfaceResult* result) {
   const float3 dir = vec_unpack(ray->dir);
-  lit->at = surface_at(scene, vec_unpack(ray->origin), dir, hit);
+  surface_at(scene, vec_unpack(ray->origin), dir, hit, &lit->at);
   *result = result_begin();
   result->normal = vec_pack(lit->at.normal);
 #if BRUME_AMBIENT_OCCLUSION
@@ -28,7 +28,8 @@ OUTLINED int surface_begin(const Scene* scene, const Ray* ray, const Hit* hit, f
   lit->material = scene->materials[lit->at.material];
   lit->to_viewer = -dir;
   lit->weight = vec_unpack(ray->weight) * transmittance;
-  lit->random = ray_random(ray);
+  const Random random = {ray->pixel, ray->sample, ray->seed};
+  lit->random = random;
   surface_glow(scene, lit, result);
 #if BRUME_GOURAUD && BRUME_TRIANGLES
   if (surface_blends(scene, hit)) {
@@ -50,9 +51,8 @@ OUTLINED void surfaces_answer(const Scene* scene, uint wave, uint count, __globa
   for (uint i = 0; i < min((uint)SURFACES, count); ++i) {
     const Hit hit = hits[i];
     if (hit.primitive == PRIMITIVE_NONE) continue;
-    const Ray ray = rays[i];
     lit[met].ray = i;
-    lit[met].asks = surface_begin(scene, &ray, &hit, vec_unpack(results[i].transmittance), lit + met, its + met);
+    lit[met].asks = surface_begin(scene, rays + i, &hit, vec_unpack(results[i].transmittance), lit + met, its + met);
     ++met;
   }
   surfaces_scatter(scene, lit, its, met);

@@ -119,7 +119,8 @@ PROBE(probe_surface) {
   hit.u = v[8];
   hit.v = v[9];
   hit.instance = as_int(v[10]);
-  const Surface s = surface_at(&scene, probe_load3(v), probe_load3(v + 3), &hit);
+  Surface s;
+  surface_at(&scene, probe_load3(v), probe_load3(v + 3), &hit, &s);
   probe_store3(s.geometric_normal, out + 8 * item);
   probe_store3(s.normal, out + 8 * item + 3);
   out[8 * item + 6] = s.uv.x;

@@ -4,21 +4,18 @@
 #include "path/send_on.cl"
 #include "path/surface_light.cl"
 
-static inline SurfaceResult result_begin(void) {
-  SurfaceResult result;
-  result.radiance = result.normal = vec_pack((float3)(0.0f));
-  result.lit = result.second = result.lookups = result.shadow_rays = result.sent = result.dropped_rays = 0;
-  result.dropped_weight = 0.0f;
-  return result;
+static inline void result_begin(float3 normal, __global SurfaceResult* result) {
+  result->normal = vec_pack(normal);
+  result->lit = result->second = result->lookups = result->shadow_rays = result->sent = result->dropped_rays = 0;
+  result->dropped_weight = 0.0f;
 }
 
 // What the ray finds; 0 where no light is asked for it.
 OUTLINED int surface_begin(const Scene* scene, __global const Ray* ray, const Hit* hit, float3 transmittance,
-                           LitSurface* lit, SurfaceResult* result) {
+                           LitSurface* lit, __global SurfaceResult* result) {
   const float3 dir = vec_unpack(ray->dir);
   surface_at(scene, vec_unpack(ray->origin), dir, hit, &lit->at);
-  *result = result_begin();
-  result->normal = vec_pack(lit->at.normal);
+  result_begin(lit->at.normal, result);
 #if BRUME_AMBIENT_OCCLUSION
   if (scene->frame->directions > 0) {
     result->radiance = vec_pack(ambient_occlusion(scene, ray, &lit->at, result));
@@ -46,24 +43,23 @@ OUTLINED void surfaces_answer(const Scene* scene, uint wave, uint count, __globa
                               __global const Hit* hits, __global const MediumResult* results,
                               __global SurfaceResult* surfaces, __global Ray* sent) {
   LitSurface lit[SURFACES];
-  SurfaceResult its[SURFACES];
   int met = 0;
   for (uint i = 0; i < min((uint)SURFACES, count); ++i) {
     const Hit hit = hits[i];
     if (hit.primitive == PRIMITIVE_NONE) continue;
     lit[met].ray = i;
-    lit[met].asks = surface_begin(scene, rays + i, &hit, vec_unpack(results[i].transmittance), lit + met, its + met);
+    lit[met].asks = surface_begin(scene, rays + i, &hit, vec_unpack(results[i].transmittance), lit + met, surfaces + i);
     ++met;
   }
-  surfaces_scatter(scene, lit, its, met);
+  surfaces_scatter(scene, lit, surfaces, met);
   for (int k = 0; k < met; ++k) {
     const uint i = lit[k].ray;
-    if (lit[k].asks) its[k].radiance = vec_pack(lit[k].sum);
+    if (lit[k].asks) surfaces[i].radiance = vec_pack(lit[k].sum);
 #if BRUME_SPECULAR
     if ((int)wave < scene->frame->max_depth && scene->frame->directions == 0)
-      rays_send(scene, rays + i, &lit[k].at, &lit[k].material, lit[k].weight, sent + (size_t)SENT_MAX * i, its + k);
+      rays_send(scene, rays + i, &lit[k].at, &lit[k].material, lit[k].weight, sent + (size_t)SENT_MAX * i,
+                surfaces + i);
 #endif
-    surfaces[i] = its[k];
   }
 }
 

@@ -15,7 +15,7 @@ static inline uint occlusion_turn(__constant const Frame* frame, __global const 
 
 // Weights are summed too, so that nothing in the way is 1 to the last bit.
 static inline float3 ambient_occlusion(const Scene* scene, __global const Ray* ray, const Surface* surface,
-                                       SurfaceResult* result) {
+                                       __global SurfaceResult* result) {
   const int n = scene->frame->directions;
   const Frame3 frame = frame_about(surface->normal);
   uint turn = occlusion_turn(scene->frame, ray);

@@ -7,7 +7,7 @@
 // `heirs`: its share of those of the ray that it comes from, itself included.
 static inline void ray_send(const Scene* scene, __global const Ray* from, const Surface* surface, int refracts,
                             float3 dir, float3 weight, float heirs, uint seed, __global Ray* sent,
-                            SurfaceResult* result) {
+                            __global SurfaceResult* result) {
   if (!(vec_max(weight) > 0.0f)) return;
   if (!(heirs >= 1.0f) || vec_max(weight) < scene->frame->cutoff) {
     ++result->dropped_rays;
@@ -37,7 +37,8 @@ static inline void ray_send(const Scene* scene, __global const Ray* from, const 
 
 // What is not refracted is mirrored: all of it where reflection is total, by Fresnel's equations a share of it.
 static inline void rays_send(const Scene* scene, __global const Ray* ray, const Surface* surface,
-                             const Material* material, float3 weight, __global Ray* sent, SurfaceResult* result) {
+                             const Material* material, float3 weight, __global Ray* sent,
+                             __global SurfaceResult* result) {
   float reflection = material->reflection, refraction = material->refraction;
   const float3 n = surface->normal, d = vec_unpack(ray->dir);
   const float cosine = -dot(n, d), both = reflection + refraction;

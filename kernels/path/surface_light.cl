@@ -17,7 +17,7 @@
 
 // A surface that is lit.
 typedef struct {
-  uint ray;  // its number among those that are worked for
+  uint ray;  // its number among those that are worked for, and of its result
   int asks;  // for lights
   Surface at;
   Material material;
@@ -104,50 +104,52 @@ static inline void shadows_follow(const Scene* scene, LightAsked* asked, int cou
 
 // Adds what it scatters of the light of shadow ray n.
 static inline void light_add(const Scene* scene, const LightAsked* asked, int n, LitSurface* lit,
-                             SurfaceResult* result) {
+                             __global SurfaceResult* result) {
   if (!(vec_max(asked->passes) > 0.0f)) return;
   result->lit |= 1u << (asked->pick.light & 31);
-  const float3 transmittance =
-      media_transmittance(scene, asked->from, -asked->light.travel, asked->light.distance,
-                          random_stream(lit->random, STREAM_LIGHT + (uint)n), &result->lookups);
+  uint lookups = 0;
+  const float3 transmittance = media_transmittance(scene, asked->from, -asked->light.travel, asked->light.distance,
+                                                   random_stream(lit->random, STREAM_LIGHT + (uint)n), &lookups);
+  result->lookups += lookups;
   lit->sum += asked->pick.weight * asked->light.irradiance * asked->passes * transmittance * asked->scattered;
 }
 
 // What the surface sends of its own, and the colors of its textures.
-static inline void surface_glow(const Scene* scene, LitSurface* lit, SurfaceResult* result) {
+static inline void surface_glow(const Scene* scene, LitSurface* lit, __global SurfaceResult* result) {
   const Material* m = &lit->material;
-  uint second;
-  lit->diffuse = texture_times(scene, m->diffuse, m->texture, lit->at.uv, &result->second);
+  uint first, second;
+  lit->diffuse = texture_times(scene, m->diffuse, m->texture, lit->at.uv, &first);
   lit->sum = texture_times(scene, m->emission, m->emission_texture, lit->at.uv, &second) +
              vec_unpack(m->ambient) * vec_unpack(scene->frame->ambient);
-  result->second |= second;
+  result->second = first | second;
 }
 
 // Adds what surfaces scatter of all lights that they ask for.
-OUTLINED void surfaces_scatter(const Scene* scene, LitSurface* lit, SurfaceResult* results, int count) {
+OUTLINED void surfaces_scatter(const Scene* scene, LitSurface* lit, __global SurfaceResult* results, int count) {
   LightAsked asked[SURFACES];
   for (int n = 0; n < scene->frame->light_picks; ++n) {
     int asking = 0;
     for (int i = 0; i < count; ++i) {
       if (!lit[i].asks) continue;
-      ++results[i].shadow_rays;
+      ++results[lit[i].ray].shadow_rays;
       asked[asking].surface = i;
       asking += light_ask(scene, lit + i, n, asked + asking);
     }
     shadows_follow(scene, asked, asking);
     for (const LightAsked* its = asked; its < asked + asking; ++its)
-      light_add(scene, its, n, lit + its->surface, results + its->surface);
+      light_add(scene, its, n, lit + its->surface, results + lit[its->surface].ray);
   }
 }
 
 #if BRUME_GOURAUD && BRUME_TRIANGLES
 // Of a triangle that blends the light of its corners [Gouraud71], theirs.
-static inline void surface_blend(const Scene* scene, const Hit* hit, LitSurface* lit, SurfaceResult* result) {
+static inline void surface_blend(const Scene* scene, const Hit* hit, LitSurface* lit, __global SurfaceResult* result) {
   float3 geometric, sum = (float3)(0.0f);
   const Triangle triangle = triangle_of(scene, hit->primitive, hit->instance, &geometric);
   for (int k = 0; k < 3; ++k) {
     float share;
     LitSurface corner = *lit;
+    corner.ray = 0;
     corner.asks = 1;
     corner.at = surface_corner(scene, &triangle, hit, &lit->at, k, &share);
     surfaces_scatter(scene, &corner, result, 1);

@@ -33,8 +33,8 @@ OUTLINED void nearest_together(const Scene* scene, __global const float* in, __g
   RayLanes rays;
   lanes_hit(scene, in, 0, &rays);
   for (uint i = 0; i < W; ++i) {
-    out[2 * i] = rays.hit[i].primitive == PRIMITIVE_NONE ? INFINITY : rays.hit[i].t;
-    out[2 * i + 1] = as_float(rays.hit[i].primitive);
+    out[2 * i] = rays.primitive[i] == PRIMITIVE_NONE ? INFINITY : rays.t[i];
+    out[2 * i + 1] = as_float(rays.primitive[i]);
   }
 #else
   nearest_alone(scene, in, out);
@@ -63,7 +63,7 @@ OUTLINED void any_together(const Scene* scene, __global const float* in, __globa
 #if W > 1
   RayLanes rays;
   lanes_hit(scene, in, 1, &rays);
-  for (uint i = 0; i < W; ++i) out[2 * i] = (float)(rays.hit[i].primitive != PRIMITIVE_NONE);
+  for (uint i = 0; i < W; ++i) out[2 * i] = (float)(rays.primitive[i] != PRIMITIVE_NONE);
 #else
   any_alone(scene, in, out);
 #endif

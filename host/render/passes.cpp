@@ -249,7 +249,7 @@ cl_uint Passes::next_wave(cl_uint samples) {
   if (samples > 0 && rays == 0) return 0;
   if (samples > 0)
     context_.queue().enqueueWriteBuffer(sample_first_, CL_FALSE, 0, samples * sizeof(cl_uint), sent_counts_.data());
-  enqueue(SECONDARY_RAYS, samples, samples, hits_, surfaces_, sent_, sample_first_, samples_, rays_);
+  enqueue(SECONDARY_RAYS, samples, samples, hits_, surfaces_, sent_, sample_sent_, sample_first_, samples_, rays_);
   return static_cast<cl_uint>(rays);
 }
 

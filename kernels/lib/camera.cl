@@ -21,7 +21,7 @@ static inline float bounds_entry(__constant const Frame* frame, float3 point, fl
   return box_cut(vec_unpack(frame->bounds_lo), vec_unpack(frame->bounds_hi), point, dir, &t0, &t1) ? t0 : 0.0f;
 }
 
-OUTLINED Ray camera_ray(__constant const Frame* frame, uint pixel, uint sample) {
+static inline Ray camera_ray(__constant const Frame* frame, uint pixel, uint sample) {
   __constant const Camera* camera = &frame->camera;
   const float2 in_pixel = pixel_position(pixel, sample, (uint)camera->spp, frame->seed);
   const uint column = pixel % (uint)camera->width;

@@ -6,13 +6,36 @@
 
 #define GLASS_SURFACES 64  // that are looked for along one way; what is behind more of them does not shine
 
-// A way that is followed straight through everything from its begin.
+// A way to a light that is followed straight through everything, and on behind it.
 typedef struct {
+  float3 origin, dir;
+  float distance, gap;  // to the light from `gap` before the origin
+  float3 from;          // where what is left of it begins,
+  float begin;          // and how far along it that is
+  int surfaces;         // that were looked for
   int entered[INSIDE_MAX];
   float nowhere;  // length of it inside of nothing that was entered: it may have begun inside of something
   float at;       // up to where its lengths are counted
   float3 left;    // of the light
 } Way;
+
+static inline Way way_begin(float3 origin, float3 dir, float distance, float gap) {
+  Way way;
+  way.origin = way.from = origin;
+  way.dir = dir;
+  way.distance = distance;
+  way.gap = way.begin = gap;
+  way.surfaces = 0;
+  inside_begin(way.entered);
+  way.nowhere = way.at = 0.0f;
+  way.left = (float3)(1.0f);
+  return way;
+}
+
+// How far the next surface is looked for.
+static inline float way_ahead(const Way* way) {
+  return way->begin >= way->distance ? INFINITY : way->distance - way->begin;
+}
 
 static inline void way_count(const Scene* scene, Way* way, float to) {
   if (!(to > way->at)) return;
@@ -37,41 +60,41 @@ static inline float interface_passes(const Material* material, const Surface* su
   return material->refraction * (1.0f - fresnel_reflectance(fabs(dot(surface->normal, dir)), 1.0f / material->ior));
 }
 
-// Up to the light surfaces weaken what comes through; behind it they only tell what both lie inside of.
-OUTLINED float3 glass_passes(const Scene* scene, float3 origin, float3 dir, float distance, float gap) {
-  Way way;
-  inside_begin(way.entered);
-  way.nowhere = way.at = 0.0f;
-  way.left = (float3)(1.0f);
-  Ray ray;
-  ray.origin = vec_pack(origin);
-  ray.dir = vec_pack(dir);
-  float begin = gap;  // of the ray, along the way
-  for (int n = 0; n < GLASS_SURFACES; ++n) {
-    const int behind = begin >= distance;
-    const Hit hit = scene_hit(scene, vec_unpack(ray.origin), dir, behind ? INFINITY : distance - begin, 0);
-    if (hit.primitive == PRIMITIVE_NONE) {
-      way_count(scene, &way, distance);
-      if (behind || !(way.nowhere > 0.0f && distance < INFINITY)) return way.left;
-      ray.origin = vec_pack(vec_point(origin, dir, distance - gap));
-      begin = distance;
-      continue;
-    }
-    const Surface surface = surface_at(scene, &ray, &hit);
-    const Material material = scene->materials[surface.material];
-    begin += hit.t;
-    way_count(scene, &way, fmin(begin, distance));
-    if (material.refraction > 0.0f) {
-      way_cross(scene, &way, &surface);
-      if (!behind) way.left *= interface_passes(&material, &surface, dir);
-    } else if (!behind) {
-      return (float3)(0.0f);
-    }
-    if (!(vec_max(way.left) > 0.0f)) return (float3)(0.0f);
-    ray.origin = vec_pack(surface_leave(&surface, dir));
-    begin += surface_gap(&surface, dir);
+// Past what it hits next, or that it hits nothing; 0 at its end. Up to the light surfaces weaken what comes through;
+// behind it they only tell what both lie inside of.
+OUTLINED int way_goes_on(const Scene* scene, Way* way, const Hit* hit) {
+  ++way->surfaces;
+  const int behind = way->begin >= way->distance;
+  if (hit->primitive == PRIMITIVE_NONE) {
+    way_count(scene, way, way->distance);
+    if (behind || !(way->nowhere > 0.0f && way->distance < INFINITY)) return 0;
+    way->from = vec_point(way->origin, way->dir, way->distance - way->gap);
+    way->begin = way->distance;
+    return 1;
   }
-  return (float3)(0.0f);
+  Surface surface;
+  surface_at(scene, way->from, way->dir, hit, &surface);
+  const Material material = scene->materials[surface.material];
+  way->begin += hit->t;
+  way_count(scene, way, fmin(way->begin, way->distance));
+  if (material.refraction > 0.0f && way->surfaces < GLASS_SURFACES) {
+    way_cross(scene, way, &surface);
+    if (!behind) way->left *= interface_passes(&material, &surface, way->dir);
+  } else if (!behind || way->surfaces == GLASS_SURFACES) {
+    way->left = (float3)(0.0f);
+  }
+  way->from = surface_leave(&surface, way->dir);
+  way->begin += surface_gap(&surface, way->dir);
+  return vec_max(way->left) > 0.0f;
+}
+
+OUTLINED float3 glass_passes(const Scene* scene, float3 origin, float3 dir, float distance, float gap) {
+  Way way = way_begin(origin, dir, distance, gap);
+  Hit hit;
+  do {
+    hit = scene_hit(scene, way.from, dir, way_ahead(&way), 0);
+  } while (way_goes_on(scene, &way, &hit));
+  return way.left;
 }
 
 // V: what surfaces leave of the light that comes over `distance` along -dir to a point; origin lies `gap` before it.
@@ -86,20 +109,21 @@ static inline float3 light_passes(const Scene* scene, float3 origin, float3 dir,
 // What a camera ray begins inside of: what it leaves, straight on, without having entered it.
 OUTLINED void ray_begin_inside(const Scene* scene, Ray* camera) {
   int entered[INSIDE_MAX], count = 0;
-  Ray ray = *camera;
-  const float3 dir = vec_unpack(ray.dir);
+  float3 from = vec_unpack(camera->origin);
+  const float3 dir = vec_unpack(camera->dir);
   inside_begin(entered);
   for (int n = 0; n < GLASS_SURFACES && count < INSIDE_MAX; ++n) {
-    const Hit hit = scene_hit(scene, vec_unpack(ray.origin), dir, INFINITY, 0);
+    const Hit hit = scene_hit(scene, from, dir, INFINITY, 0);
     if (hit.primitive == PRIMITIVE_NONE) return;
-    const Surface surface = surface_at(scene, &ray, &hit);
+    Surface surface;
+    surface_at(scene, from, dir, &hit, &surface);
     if (scene->materials[surface.material].refraction > 0.0f) {
       if (!surface.leaving)
         inside_enter(entered, surface.material);
       else if (!inside_leave(entered, surface.material))
         camera->inside[count++] = surface.material;
     }
-    ray.origin = vec_pack(surface_leave(&surface, dir));
+    from = surface_leave(&surface, dir);
   }
 }
 #endif

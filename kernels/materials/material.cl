@@ -44,7 +44,7 @@ static inline float3 texture_image(const Scene* scene, const Texture* t, float2 
 
 // Color of the texture; *second is set where the hit lies in the second color of a checker or beside an image shown
 // once.
-static inline float3 texture_lookup(const Scene* scene, int index, float2 uv, uint* second) {
+OUTLINED float3 texture_lookup(const Scene* scene, int index, float2 uv, uint* second) {
   const Texture t = scene->textures[index];
   if (t.type == TEXTURE_IMAGE) return texture_image(scene, &t, uv, second);
   const float squares = floor(uv.x * t.scale) + floor(uv.y * t.scale);

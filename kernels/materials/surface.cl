@@ -9,7 +9,6 @@ typedef struct {
   int leaving;  // the ray comes from the side to which the shape's own normal does not point: from inside a closed one
   float epsilon;  // offset of rays that leave the point, PICTURE, Hits
   int material;
-  uint asked, blocked;  // bit n: it is known of the light of shadow ray n whether surfaces block it; they do
 } Surface;
 
 static inline float3 triangle_normal(const Triangle* t, const Hit* hit, float3 geometric) {
@@ -36,39 +35,35 @@ static inline int is_textured(const Scene* scene, int material) {
          (scene->materials[material].texture >= 0 || scene->materials[material].emission_texture >= 0);
 }
 
-// uv of shapes are 0 where no texture asks: azimuths take longer than the rest of a sphere.
-static inline Surface surface_at(const Scene* scene, const Ray* ray, const Hit* hit) {
-  Surface s;
-  s.uv = (float2)(0.0f);
-  const float3 dir = vec_unpack(ray->dir);
-  s.point = vec_point(vec_unpack(ray->origin), dir, hit->t);
+// *s: of the hit. uv of shapes are 0 where no texture asks: azimuths take longer than the rest of a sphere.
+static inline void surface_at(const Scene* scene, float3 origin, float3 dir, const Hit* hit, Surface* s) {
+  s->uv = (float2)(0.0f);
+  s->point = vec_point(origin, dir, hit->t);
   int known = -1;  // whether the ray comes from inside, where the hit says so
 #if BRUME_TRIANGLES
   if (hit->primitive >= FIRST_TRIANGLE) {
-    const Triangle t = triangle_of(scene, hit->primitive, hit->instance, &s.geometric_normal);
-    s.normal = triangle_normal(&t, hit, s.geometric_normal);
-    s.uv = triangle_uv(&t, 1.0f - hit->u - hit->v, hit->u, hit->v);
-    s.material = t.material;
+    const Triangle t = triangle_of(scene, hit->primitive, hit->instance, &s->geometric_normal);
+    s->normal = triangle_normal(&t, hit, s->geometric_normal);
+    s->uv = triangle_uv(&t, 1.0f - hit->u - hit->v, hit->u, hit->v);
+    s->material = t.material;
   } else
 #endif
   {
     const Shape shape = scene->shapes[hit->primitive];
-    s.material = shape.material;
+    s->material = shape.material;
     if (USES_SHAPE(ISOSURFACE) && shape.type == SHAPE_ISOSURFACE) {
-      s.normal = isosurface_normals(scene, &shape, s.point, dir, hit, &s.geometric_normal);
+      s->normal = isosurface_normals(scene, &shape, s->point, dir, hit, &s->geometric_normal);
       known = hit->v > 0.0f;
     } else {
-      s.normal = s.geometric_normal = shape_normal(&shape, s.point, is_textured(scene, s.material), &s.uv);
+      s->normal = s->geometric_normal = shape_normal(&shape, s->point, is_textured(scene, s->material), &s->uv);
     }
   }
-  s.leaving = known >= 0 ? known : dot(s.geometric_normal, dir) > 0.0f;
-  if (s.leaving) {
-    s.geometric_normal = -s.geometric_normal;
-    s.normal = -s.normal;
+  s->leaving = known >= 0 ? known : dot(s->geometric_normal, dir) > 0.0f;
+  if (s->leaving) {
+    s->geometric_normal = -s->geometric_normal;
+    s->normal = -s->normal;
   }
-  s.epsilon = surface_epsilon(scene, s.point, hit);
-  s.asked = s.blocked = 0;
-  return s;
+  s->epsilon = surface_epsilon(scene, s->point, hit);
 }
 
 #if BRUME_GOURAUD && BRUME_TRIANGLES
@@ -79,7 +74,6 @@ static inline Surface surface_corner(const Scene* scene, const Triangle* t, cons
   s.point = vec_unpack(t->p[k]);
   s.normal = vec_unpack(t->n[k]) * (s.leaving ? -1.0f : 1.0f);
   s.epsilon = surface_epsilon(scene, s.point, hit);
-  s.asked = 0;
   *share = k == 0 ? 1.0f - hit->u - hit->v : (k == 1 ? hit->u : hit->v);
   return s;
 }

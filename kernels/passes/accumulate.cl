@@ -6,7 +6,7 @@
 #include "shared/ray.h"
 #include "shared/shape.h"
 
-static inline void packed_add(Packed3* sum, Packed3 v) {
+static inline void packed_add(__global Packed3* sum, Packed3 v) {
   sum->x += v.x;
   sum->y += v.y;
   sum->z += v.z;
@@ -15,7 +15,7 @@ static inline void packed_add(Packed3* sum, Packed3 v) {
 // Squared deviations with one sample x more. With the mean m of the n before, the new mean is m + d / (n + 1), d = x -
 // m: their squares grow by n (d / (n + 1))², the sample's own is (n d / (n + 1))², together d² n / (n + 1) [Welford62].
 // Σx² - n m² would lose a small variance of a bright pixel to rounding.
-static inline Packed3 squares_add(const FilmPixel* before, Packed3 radiance) {
+static inline Packed3 squares_add(__global const FilmPixel* before, Packed3 radiance) {
   const float n = before->samples;
   if (n == 0.0f) return before->squares;
   const float3 d = vec_unpack(radiance) - vec_unpack(before->radiance) / n;
@@ -23,14 +23,14 @@ static inline Packed3 squares_add(const FilmPixel* before, Packed3 radiance) {
 }
 
 // False where a sample would spoil its pixel: something in it left the range of float.
-static inline int sample_valid(const Sample* sample) {
+static inline int sample_valid(__global const Sample* sample) {
   const float3 size = fabs(vec_unpack(sample->radiance));
   return size.x <= SAMPLE_MAX && size.y <= SAMPLE_MAX && size.z <= SAMPLE_MAX &&
          isfinite(sample->normal.x + sample->normal.y + sample->normal.z) &&
          isfinite(sample->transmittance.x + sample->transmittance.y + sample->transmittance.z);
 }
 
-OUTLINED void pixel_add(FilmPixel* sum, const Sample* sample, float unit) {
+OUTLINED void pixel_add(__global FilmPixel* sum, __global const Sample* sample, float unit) {
   sum->shadow_rays += (float)sample->shadow_rays;
   sum->secondary_rays += (float)sample->secondary_rays;
   if (!sample_valid(sample)) {
@@ -62,11 +62,6 @@ __kernel void accumulate(__global const Work* work, uint entries, float unit, __
   const uint item = (uint)get_global_id(0);
   if (item >= entries) return;
   const Work entry = work[item];
-  FilmPixel sum = pixels[item];
 #pragma unroll 1
-  for (uint s = 0; s < entry.samples; ++s) {
-    const Sample sample = finished[entry.first_ray + s];
-    pixel_add(&sum, &sample, unit);
-  }
-  pixels[item] = sum;
+  for (uint s = 0; s < entry.samples; ++s) pixel_add(pixels + item, finished + entry.first_ray + s, unit);
 }

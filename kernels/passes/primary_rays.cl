@@ -20,7 +20,7 @@ static inline Work work_find(__global const Work* work, uint entries, uint item)
 }
 
 // The camera ray of an item of wave 0.
-static inline Ray ray_begin(const Scene* scene, __global const Work* work, uint entries, uint item) {
+OUTLINED void ray_begin(const Scene* scene, __global const Work* work, uint entries, uint item, __global Ray* ray) {
   const Work entry = work_find(work, entries, item);
   Ray camera = camera_ray(scene->frame, entry.pixel, entry.first_sample + (item - entry.first_ray));
   ray_start_before_planes(scene, &camera);
@@ -28,34 +28,34 @@ static inline Ray ray_begin(const Scene* scene, __global const Work* work, uint 
 #if BRUME_STARTS_INSIDE && HAS_SURFACES
   if (scene->frame->starts_inside) ray_begin_inside(scene, &camera);
 #endif
-  return camera;
+  *ray = camera;
 }
 
 // On a CPU the first of W items follows the rays of all of them, which go about the same way.
 #if RAYS_TOGETHER
-OUTLINED void hits_together(const Scene* scene, uint first, uint count, __global const Ray* rays, __global Hit* hits) {
+#define TOGETHER W
+OUTLINED void hits_find(const Scene* scene, uint count, __global const Ray* rays, __global Hit* hits) {
   RayLanes lanes;
   for (uint i = 0; i < W; ++i) {
-    const Ray ray = rays[min(first + i, count - 1)];
-    ray_lane_set(&lanes, i, vec_unpack(ray.origin), vec_unpack(ray.dir), INFINITY);
+    __global const Ray* ray = rays + min(i, count - 1);
+    ray_lane_set(&lanes, (int)i, vec_unpack(ray->origin), vec_unpack(ray->dir), INFINITY);
   }
   rays_hit(scene, &lanes, 0);
-  for (uint i = 0; i < W && first + i < count; ++i) hits[first + i] = lanes.hit[i];
+  for (uint i = 0; i < min((uint)W, count); ++i) hits[i] = ray_lane_hit(&lanes, (int)i);
+}
+#else
+#define TOGETHER 1
+static inline void hits_find(const Scene* scene, uint count, __global const Ray* rays, __global Hit* hits) {
+  (void)count;
+  *hits = scene_hit(scene, vec_unpack(rays->origin), vec_unpack(rays->dir), INFINITY, 0);
 }
 #endif
 
 __kernel void primary_rays(SCENE_ARGS, __global const Work* work, uint entries, uint wave, uint count,
                            __global Ray* rays, __global Hit* hits) {
   const uint item = (uint)get_global_id(0);
-  if (item >= count) return;
+  if (item >= count || item % TOGETHER != 0) return;
   const Scene scene = SCENE_PACK;
-#if RAYS_TOGETHER
-  if (item % W != 0) return;
-  for (uint i = item; wave == 0 && i < min(item + W, count); ++i) rays[i] = ray_begin(&scene, work, entries, i);
-  hits_together(&scene, item, count, rays, hits);
-#else
-  if (wave == 0) rays[item] = ray_begin(&scene, work, entries, item);
-  const Ray ray = rays[item];
-  hits[item] = scene_hit(&scene, vec_unpack(ray.origin), vec_unpack(ray.dir), INFINITY, 0);
-#endif
+  for (uint i = item; wave == 0 && i < min(item + TOGETHER, count); ++i) ray_begin(&scene, work, entries, i, rays + i);
+  hits_find(&scene, count - item, rays + item, hits + item);
 }

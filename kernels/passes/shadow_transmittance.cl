@@ -2,72 +2,74 @@
 // the ray; and the rays that the hit sends on.
 #include "path/ambient_occlusion.cl"
 #include "path/send_on.cl"
-#include "path/shadows_together.cl"
 #include "path/surface_light.cl"
 
-OUTLINED SurfaceResult surface_result(const Scene* scene, const Ray* ray, const Hit* hit, const Surface* surface,
-                                      float3 transmittance, int sends, __global Ray* sent) {
-  SurfaceResult result;
-  result.lit = result.lookups = result.shadow_rays = result.sent = result.dropped_rays = 0;
-  result.dropped_weight = 0.0f;
-  const Material material = scene->materials[surface->material];
-  result.normal = vec_pack(surface->normal);
+static inline void result_begin(float3 normal, __global SurfaceResult* result) {
+  result->normal = vec_pack(normal);
+  result->lit = result->second = result->lookups = result->shadow_rays = result->sent = result->dropped_rays = 0;
+  result->dropped_weight = 0.0f;
+}
+
+// What the ray finds; 0 where no light is asked for it.
+OUTLINED int surface_begin(const Scene* scene, __global const Ray* ray, const Hit* hit, float3 transmittance,
+                           LitSurface* lit, __global SurfaceResult* result) {
+  const float3 dir = vec_unpack(ray->dir);
+  surface_at(scene, vec_unpack(ray->origin), dir, hit, &lit->at);
+  result_begin(lit->at.normal, result);
 #if BRUME_AMBIENT_OCCLUSION
   if (scene->frame->directions > 0) {
-    result.second = 0;
-    result.radiance = vec_pack(ambient_occlusion(scene, ray, surface, &result));
-    return result;
+    result->radiance = vec_pack(ambient_occlusion(scene, ray, &lit->at, result));
+    return 0;
   }
 #endif
-  const float3 weight = vec_unpack(ray->weight) * transmittance;
-  result.radiance =
-      vec_pack(surface_lights(scene, surface, hit, &material, -vec_unpack(ray->dir), weight, ray_random(ray), &result));
-#if BRUME_SPECULAR
-  if (sends) rays_send(scene, ray, surface, &material, weight, sent, &result);
+  lit->material = scene->materials[lit->at.material];
+  lit->to_viewer = -dir;
+  lit->weight = vec_unpack(ray->weight) * transmittance;
+  const Random random = {ray->pixel, ray->sample, ray->seed};
+  lit->random = random;
+  surface_glow(scene, lit, result);
+#if BRUME_GOURAUD && BRUME_TRIANGLES
+  if (surface_blends(scene, hit)) {
+    surface_blend(scene, hit, lit, result);
+    result->radiance = vec_pack(lit->sum);
+    return 0;
+  }
 #endif
-  return result;
+  return 1;
 }
 
-// On a CPU the first of W items works for all of them, which ask for the same lights.
-#if RAYS_TOGETHER
-OUTLINED uint surfaces_ask(const Scene* scene, uint count, __global const Ray* rays, __global const Hit* hits,
-                           Surface* surfaces) {
-  uint there = 0;
-  for (uint i = 0; i < min((uint)W, count); ++i) {
-    const Ray ray = rays[i];
+// Of the first `count` of up to SURFACES rays.
+OUTLINED void surfaces_answer(const Scene* scene, uint wave, uint count, __global const Ray* rays,
+                              __global const Hit* hits, __global const MediumResult* results,
+                              __global SurfaceResult* surfaces, __global Ray* sent) {
+  LitSurface lit[SURFACES];
+  int met = 0;
+  for (uint i = 0; i < min((uint)SURFACES, count); ++i) {
     const Hit hit = hits[i];
     if (hit.primitive == PRIMITIVE_NONE) continue;
-    surfaces[i] = surface_at(scene, &ray, &hit);
-    there |= 1u << i;
+    lit[met].ray = i;
+    lit[met].asks = surface_begin(scene, rays + i, &hit, vec_unpack(results[i].transmittance), lit + met, surfaces + i);
+    ++met;
   }
-  shadows_ask(scene, rays, there, surfaces);
-  return there;
-}
+  surfaces_scatter(scene, lit, surfaces, met);
+  for (int k = 0; k < met; ++k) {
+    const uint i = lit[k].ray;
+    if (lit[k].asks) surfaces[i].radiance = vec_pack(lit[k].sum);
+#if BRUME_SPECULAR
+    if ((int)wave < scene->frame->max_depth && scene->frame->directions == 0)
+      rays_send(scene, rays + i, &lit[k].at, &lit[k].material, lit[k].weight, sent + (size_t)SENT_MAX * i,
+                surfaces + i);
 #endif
+  }
+}
 
-// `wave`: how many surfaces the rays have met before.
+// `wave`: how many surfaces the rays have met before. On a CPU one of several items works for all of them.
 __kernel void shadow_transmittance(SCENE_ARGS, uint wave, uint count, __global const Ray* rays,
                                    __global const Hit* hits, __global const MediumResult* results,
                                    __global SurfaceResult* surfaces, __global Ray* sent) {
   const uint item = (uint)get_global_id(0);
-  if (item >= count) return;
+  if (item >= count || item % SURFACES != 0) return;
   const Scene scene = SCENE_PACK;
-#if RAYS_TOGETHER
-  if (item % W != 0) return;
-  Surface met[W];
-  const uint there = surfaces_ask(&scene, count - item, rays + item, hits + item, met);
-#else
-  Surface met[1];
-  const uint there = hits[item].primitive != PRIMITIVE_NONE;
-#endif
-  for (uint i = 0; there >> i != 0; ++i) {
-    if (!(there >> i & 1)) continue;
-    const Ray ray = rays[item + i];
-    const Hit hit = hits[item + i];
-#if !RAYS_TOGETHER
-    met[i] = surface_at(&scene, &ray, &hit);
-#endif
-    surfaces[item + i] = surface_result(&scene, &ray, &hit, &met[i], vec_unpack(results[item + i].transmittance),
-                                        (int)wave < frame->max_depth, sent + (size_t)SENT_MAX * (item + i));
-  }
+  surfaces_answer(&scene, wave, count - item, rays + item, hits + item, results + item, surfaces + item,
+                  sent + (size_t)SENT_MAX * item);
 }

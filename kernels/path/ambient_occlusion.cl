@@ -7,15 +7,15 @@
 #define GOLDEN_TURN 2654435769u  // 2³² / Φ, Φ the golden ratio
 
 // By how much of 2³² the directions of a sample are turned [Roberts18].
-static inline uint occlusion_turn(__constant const Frame* frame, const Ray* ray) {
+static inline uint occlusion_turn(__constant const Frame* frame, __global const Ray* ray) {
   if (!frame->occlusion_rotates) return 0;
   const uint x = ray->pixel % (uint)frame->camera.width, y = ray->pixel / (uint)frame->camera.width;
   return x * 3242174889u + y * 2447445414u + ray->sample * GOLDEN_TURN;
 }
 
 // Weights are summed too, so that nothing in the way is 1 to the last bit.
-static inline float3 ambient_occlusion(const Scene* scene, const Ray* ray, const Surface* surface,
-                                       SurfaceResult* result) {
+static inline float3 ambient_occlusion(const Scene* scene, __global const Ray* ray, const Surface* surface,
+                                       __global SurfaceResult* result) {
   const int n = scene->frame->directions;
   const Frame3 frame = frame_about(surface->normal);
   uint turn = occlusion_turn(scene->frame, ray);

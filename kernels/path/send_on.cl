@@ -5,38 +5,44 @@
 #include "materials/inside.cl"
 
 // `heirs`: its share of those of the ray that it comes from, itself included.
-static inline void ray_send(const Scene* scene, const Ray* from, const Surface* surface, int refracts, float3 dir,
-                            float3 weight, float heirs, uint seed, __global Ray* sent, SurfaceResult* result) {
+static inline void ray_send(const Scene* scene, __global const Ray* from, const Surface* surface, int refracts,
+                            float3 dir, float3 weight, float heirs, uint seed, __global Ray* sent,
+                            __global SurfaceResult* result) {
   if (!(vec_max(weight) > 0.0f)) return;
   if (!(heirs >= 1.0f) || vec_max(weight) < scene->frame->cutoff) {
     ++result->dropped_rays;
     result->dropped_weight += vec_max(weight);
     return;
   }
-  Ray ray = *from;
   const float3 unit = normalize(dir);
-  ray.dir = vec_pack(unit);
-  ray.origin = vec_pack(surface_leave(surface, unit));
-  ray.weight = vec_pack(weight);
-  ray.seed = seed;
-  ray.heirs = heirs - 1.0f;
-  ray.start = surface_gap(surface, unit);
+  __global Ray* ray = sent + result->sent++;
+  ray->origin = vec_pack(surface_leave(surface, unit));
+  ray->pixel = from->pixel;
+  ray->dir = vec_pack(unit);
+  ray->sample = from->sample;
+  ray->weight = vec_pack(weight);
+  ray->seed = seed;
+  ray->heirs = heirs - 1.0f;
+  ray->start = surface_gap(surface, unit);
+  int inside[INSIDE_MAX];
+  for (int i = 0; i < INSIDE_MAX; ++i) inside[i] = from->inside[i];
   if (refracts && dot(surface->geometric_normal, unit) < 0.0f) {
     if (surface->leaving)
-      inside_leave(ray.inside, surface->material);
+      inside_leave(inside, surface->material);
     else
-      inside_enter(ray.inside, surface->material);
+      inside_enter(inside, surface->material);
   }
-  sent[result->sent++] = ray;
+  for (int i = 0; i < INSIDE_MAX; ++i) ray->inside[i] = inside[i];
 }
 
 // What is not refracted is mirrored: all of it where reflection is total, by Fresnel's equations a share of it.
-static inline void rays_send(const Scene* scene, const Ray* ray, const Surface* surface, const Material* material,
-                             float3 weight, __global Ray* sent, SurfaceResult* result) {
+static inline void rays_send(const Scene* scene, __global const Ray* ray, const Surface* surface,
+                             const Material* material, float3 weight, __global Ray* sent,
+                             __global SurfaceResult* result) {
   float reflection = material->reflection, refraction = material->refraction;
   const float3 n = surface->normal, d = vec_unpack(ray->dir);
   const float cosine = -dot(n, d), both = reflection + refraction;
-  const Random random = ray_random(ray);
+  const Random random = {ray->pixel, ray->sample, ray->seed};
   const int refracts = refraction > 0.0f;
   if (refracts) {
     const float eta = surface->leaving ? material->ior : 1.0f / material->ior;

@@ -83,7 +83,7 @@ static inline void probe_together(const Scene* scene, uint item, uint count, __g
   }
   rays_hit(scene, &rays, any);
   for (uint i = 0; i < min((uint)W, count - item); ++i) {
-    const Hit hit = rays.hit[i];
+    const Hit hit = ray_lane_hit(&rays, (int)i);
     if (any)
       out[item + i] = (float)(hit.primitive != PRIMITIVE_NONE);
     else
@@ -113,19 +113,14 @@ PROBE(probe_occluded) {
 PROBE(probe_surface) {
   PROBE_ITEM;
   __global const float* v = in + 11 * item;
-  Ray ray;
-  ray.origin = vec_pack(probe_load3(v));
-  ray.dir = vec_pack(probe_load3(v + 3));
-  ray.pixel = 0;
-  ray.sample = 0;
-  ray.start = 0.0f;
   Hit hit;
   hit.t = v[6];
   hit.primitive = as_int(v[7]);
   hit.u = v[8];
   hit.v = v[9];
   hit.instance = as_int(v[10]);
-  const Surface s = surface_at(&scene, &ray, &hit);
+  Surface s;
+  surface_at(&scene, probe_load3(v), probe_load3(v + 3), &hit, &s);
   probe_store3(s.geometric_normal, out + 8 * item);
   probe_store3(s.normal, out + 8 * item + 3);
   out[8 * item + 6] = s.uv.x;

@@ -12,13 +12,6 @@
 #define TOGETHER_TRIED 3        // of so many instances
 #define BOX_SLACK 0x1p-20f  // of the way to a plane through the origin: what rounding of those to both sides comes to
 
-// W rays, each number of all of them side by side.
-typedef struct {
-  float origin[3][W], dir[3][W];
-  float t[W], u[W], v[W];
-  int primitive[W], instance[W];
-} InstanceRays;
-
 // 1 / direction and -origin / direction.
 typedef struct {
   LaneVectors inverse, start;
@@ -50,7 +43,7 @@ static inline intW rays_meet(const BoxRays* r, const float* lo, const float* hi,
 }
 
 // Some of the rays in the space of a mesh, the others beside one of those.
-static inline RayPacket rays_in_mesh(const Affine* there, const InstanceRays* rays, intW some, int one) {
+static inline RayPacket rays_in_mesh(const Affine* there, const RayLanes* rays, intW some, int one) {
   const float3 origin = affine_point(there, (float3)(rays->origin[0][one], rays->origin[1][one], rays->origin[2][one]));
   const float3 dir = affine_dir(there, (float3)(rays->dir[0][one], rays->dir[1][one], rays->dir[2][one]));
   const floatW ox = lanes_load(rays->origin[0]), oy = lanes_load(rays->origin[1]), oz = lanes_load(rays->origin[2]);
@@ -67,25 +60,15 @@ static inline RayPacket rays_in_mesh(const Affine* there, const InstanceRays* ra
   return packet;
 }
 
-static inline void ray_instance_hit(const Scene* scene, int index, InstanceRays* rays, int i) {
-  Hit hit;
-  hit.t = rays->t[i];
-  hit.u = rays->u[i];
-  hit.v = rays->v[i];
-  hit.primitive = rays->primitive[i];
-  hit.instance = rays->instance[i];
-  instance_hit(scene, index, (float3)(rays->origin[0][i], rays->origin[1][i], rays->origin[2][i]),
-               (float3)(rays->dir[0][i], rays->dir[1][i], rays->dir[2][i]), 0, &hit);
-  rays->t[i] = hit.t;
-  rays->u[i] = hit.u;
-  rays->v[i] = hit.v;
-  rays->primitive[i] = hit.primitive;
-  rays->instance[i] = hit.instance;
+static inline void ray_instance_hit(const Scene* scene, int index, RayLanes* rays, int i) {
+  Hit hit = ray_lane_hit(rays, i);
+  instance_hit(scene, index, lane_vector(rays->origin, i), lane_vector(rays->dir, i), 0, &hit);
+  ray_lane_hits(rays, i, &hit);
 }
 
 // instance_hit of some of W rays at once; 0, and nothing done, where they do not go about the same way.
 static inline int instance_packet_hit(const Scene* scene, int index, const RayPacket* in_mesh, intW some,
-                                      InstanceRays* rays) {
+                                      RayLanes* rays) {
   const intW instance = lanes_load(rays->instance), primitive = lanes_load(rays->primitive);
   const intW none = select((intW)(PRIMITIVE_NONE), (intW)(INT_MAX), (intW)(index) < instance);
   const floatW t = lanes_load(rays->t), u = lanes_load(rays->u), v = lanes_load(rays->v);
@@ -105,7 +88,7 @@ static inline int instance_packet_hit(const Scene* scene, int index, const RayPa
 }
 
 // How many of the rays may meet the instance.
-static inline int rays_instance_hit(const Scene* scene, int index, const BoxRays* boxes, InstanceRays* rays) {
+static inline int rays_instance_hit(const Scene* scene, int index, const BoxRays* boxes, RayLanes* rays) {
   const float lo[3] = {scene->instances[index].lo.x, scene->instances[index].lo.y, scene->instances[index].lo.z};
   const float hi[3] = {scene->instances[index].hi.x, scene->instances[index].hi.y, scene->instances[index].hi.z};
   const intW some = rays_meet(boxes, lo, hi, lanes_load(rays->t));
@@ -129,7 +112,7 @@ static inline int rays_instance_hit(const Scene* scene, int index, const BoxRays
 
 // instances_hit of W rays; 0, and not all done, where they do not go about the same way, or mostly few of them meet an
 // instance: small ones far away are better sought ray by ray.
-static inline int instances_packet_hit(const Scene* scene, const RayPacket* packet, InstanceRays* rays) {
+static inline int instances_packet_hit(const Scene* scene, const RayPacket* packet, RayLanes* rays) {
   PacketBox box;
   if (!packet_box(packet, &box)) return 0;
   const BoxRays boxes = box_rays(packet);

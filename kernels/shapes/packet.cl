@@ -3,25 +3,11 @@
 #ifndef BRUME_SHAPES_PACKET_CL
 #define BRUME_SHAPES_PACKET_CL
 #include "shapes/bvh.cl"
+#include "shapes/rays.cl"
 
 #if W > 1
 
-#define PACKET_DONE (-1.0f)   // t of a ray that has nothing left to find
 #define PACKET_SPREAD 0.125f  // of a component of the directions: of more, the boxes that one of them meets are many
-
-// Components of W vectors.
-typedef struct {
-  floatW v[3];
-} LaneVectors;
-
-typedef struct {
-  LaneVectors origin, dir;
-} RayPacket;
-
-typedef struct {
-  floatW t, u, v;
-  intW primitive;
-} PacketHit;
 
 static inline float lanes_least(floatW v) {
 #if W == 16

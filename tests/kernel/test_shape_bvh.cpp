@@ -57,7 +57,7 @@ class ShapeBvh : public testing::TestWithParam<int> {};
 
 TEST_P(ShapeBvh, IsTheListBitByBit) {
   Context context(device_choose("portable computing language"));
-  for (const int count : {8, 300}) {
+  for (const int count : {16, 300}) {
     const PlannedScene listed = scene_of(count, "list", GetParam()), behind = scene_of(count, "sah", GetParam());
     ASSERT_LT(listed.shape_root, 0);
     ASSERT_GE(behind.shape_root, 0);

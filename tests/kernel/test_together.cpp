@@ -57,11 +57,25 @@ TEST_F(Together, RaysHitWhatTheyHitAlone) {
   const std::string texts[] = {
       R"({"shapes": [{"type": "mesh", "file": "ball.obj"}, )" + others,
       R"({"shapes": [{"type": "mesh", "file": "ball.obj", "instances": [)" + instances +
-          R"(]}, {"type": "triangle", "vertices": [[-3, -1, 0.2], [3, -1, 0.2], [0, 1, 0.1]]}, )" + others};
+          R"(]}, {"type": "triangle", "vertices": [[-3, -1, 0.2], [3, -1, 0.2], [0, 1, 0.1]]}, )" + others,
+      R"({"media": [{"type": "liquid", "model": "surface", "material": "water", "bounds": [[-0.9, -1, -0.8], [0.9, 1, 1]],
+                     "density": {"type": "perlin", "resolution": [20, 17, 30], "scale": 3}}],
+          "materials": {"water": {"refraction": 1}},
+          "shapes": [{"type": "plane", "point": [0, -0.6, 0], "normal": [0.1, 1, 0]},
+                     {"type": "plane", "point": [0, -0.6, 0], "normal": [0.1, 1, 0]},
+                     {"type": "quad", "corner": [-1, -0.5, 0.3], "u": [2, 0.1, 0], "v": [0, 1, 0.2]},
+                     {"type": "cylinder", "base": [0.3, -1, 0], "top": [0.3, 0.7, 0.2], "radius": 0.3}, )" +
+          others};
   Context context(device_choose("portable computing language"));
   CheckRandom random;
-  for (const auto& [lanes, text] :
-       {std::pair{4, texts[0]}, {8, texts[0]}, {16, texts[0]}, {8, texts[1]}, {16, texts[1]}}) {
+  for (const auto& [lanes, text] : {std::pair{4, texts[0]},
+                                    {8, texts[0]},
+                                    {16, texts[0]},
+                                    {8, texts[1]},
+                                    {16, texts[1]},
+                                    {4, texts[2]},
+                                    {8, texts[2]},
+                                    {16, texts[2]}}) {
     const PlannedScene scene = flatten(scene_read_text(text, folder / "ball.json", {}), {bvh_width_for(lanes), {}});
     const Probe probe(context, scene, lanes);
     for (const int count : {3, 16 * 4096 + 5})

@@ -11,8 +11,8 @@ namespace brume {
 // points of each segment. Nothing where there are none.
 std::optional<SceneDesc> settings_finer(const SceneDesc& desc);
 
-// The closest there are: every optical depth exact, light traced, at two points of each segment. Nothing where those are
-// what `desc` has.
+// The closest there are: every optical depth exact, light traced, at two points of each segment. Nothing where those
+// are what `desc` has.
 std::optional<SceneDesc> settings_closest(const SceneDesc& desc);
 
 // Renders every 16th pixel of the frame's crop by `finer`, then all of those tiles of 8 x 8 where that differs from the

@@ -101,7 +101,7 @@ class LightRun {
     if (!lit_[i] || !lit_[i + 1] || *lit_[i] == *lit_[i + 1]) return dvec3(0);
     if (sum_of(sends * (passed_[i] + passed_[i + 1])) <= tolerance_ / 4 * seen_) return dvec3(0);
     double near = points_[i].t, far = points_[i + 1].t;
-    for (int halving = 0; halving < 8; ++halving) {
+    for (int halving = 0; halving < 12; ++halving) {
       const double middle = (near + far) / 2;
       const LightSample sample =
           light_at(context_.scene, context_.scene.lights[light_], ray_.at(middle), points_[i].places);
@@ -131,7 +131,7 @@ class LightRun {
     ask(m);
     const dvec3 mean = (passed_[a] + 2.0 * passed_[m] + passed_[b]) / 4.0, bend = passed_[m] - line(points_[m].t);
     const double off = sum_of(weight * glm::abs(bend));
-    if (surfaces_stand_ && to - from > inside_ / 32) {  // a shadow may lie between
+    if (surfaces_stand_ && to - from > inside_ * 33 / 1024) {  // a shadow may lie between
       between(a, m);
       between(m, b);
       return;

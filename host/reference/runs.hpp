@@ -15,8 +15,8 @@ struct RunPoint {
 
 inline constexpr std::size_t RUN_POINTS = 64;
 
-// What medium `index`, of which the ray passes `inside`, scatters to its origin from a run of points. `seen` is the light, summed over the
-// channels, that the ray got before, and grows.
+// What medium `index`, of which the ray passes `inside`, scatters to its origin from a run of points. `seen` is the
+// light, summed over the channels, that the ray got before, and grows.
 dvec3 run_radiance(const Context& context, int index, const RayD& ray, const std::vector<RunPoint>& points,
                    double inside, double& seen, Scattered& result);
 

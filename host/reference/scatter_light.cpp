@@ -19,7 +19,7 @@ namespace {
 
 static_assert(IN_SCATTERING_COUNT == 3, "gain_of and source_at know all");
 
-constexpr int EDGE_HALVINGS = 10;         // between two places that are asked
+constexpr int EDGE_HALVINGS = 12;         // between two places that are asked
 constexpr std::size_t SEGMENT_EDGES = 6;  // of one light that count
 constexpr std::size_t SEGMENT_KINKS = 8;
 constexpr double EDGES_ASKED = 64;         // places along the ray's way through a medium, at least

@@ -4,11 +4,11 @@
 #define BRUME_MEDIA_RUNS_CL
 #include "media/two_points.cl"
 
-#define RUN_POINTS 64            // of 32 segments
-#define RUN_SPAN 4               // points from one that is asked to the next: no parabola is longer
-#define RUN_DEPTH 4              // of intervals that are cut into halves: 2^(RUN_DEPTH - 2) >= RUN_SPAN
-#define RUN_WIDE (1.0f / 32.0f)  // of the ray's way through the medium
-#define RUN_FAINT 0.25f          // of the tolerance: points that could send no more than that are not asked
+#define RUN_POINTS 64               // of 32 segments
+#define RUN_SPAN 4                  // points from one that is asked to the next: no parabola is longer
+#define RUN_DEPTH 4                 // of intervals that are cut into halves: 2^(RUN_DEPTH - 2) >= RUN_SPAN
+#define RUN_WIDE (33.0f / 1024.0f)  // of the ray's way through the medium: no whole number of equal steps
+#define RUN_FAINT 0.25f             // of the tolerance: points that could send no more than that are not asked
 
 typedef struct {
   int count;
@@ -187,7 +187,7 @@ static inline void run_pass(const Scene* scene, const Stretch* s, const Run* run
 }
 
 #if HAS_SURFACES
-#define RUN_HALVINGS 8  // between two points of which one is lit
+#define RUN_HALVINGS 12  // between two points of which one is lit
 
 // Half of the segment of point i, and where the share of it for which the point stands begins.
 static inline float run_half(const Run* run, int i, float* begin) {

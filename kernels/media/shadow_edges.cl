@@ -7,7 +7,7 @@
 
 #define HAS_EDGES (HAS_SURFACES || USES_LIGHT(SPOT))
 #define RAY_ASKED 64.0f   // places along the ray's way through the medium, at least, that say whether it is lit
-#define EDGE_HALVINGS 10  // between two of them
+#define EDGE_HALVINGS 12  // between two of them
 #define SEGMENT_EDGES 6   // that count
 #define SEGMENT_KINKS 8
 #define KINK_INSET 0x1p-10f

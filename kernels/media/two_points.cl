@@ -46,7 +46,7 @@ static inline floatW points_sum(const Arrivals* a, int color, const Weights* w) 
 }
 
 // Light n at the points of each segment, then at those of what is lit of the segments that are lit in part.
-static inline void light_add(const Scene* scene, const Stretch* s, int n, Colors* sum, MediumResult* result) {
+static inline void points_add(const Scene* scene, const Stretch* s, int n, Colors* sum, MediumResult* result) {
   const floatW begin = lanes_load(s->at->begin), size = lanes_load(s->at->size), first = points_first(s);
   floatW share[2] = {first, 1.0f - first}, length = lanes_load(s->integral);
   LitParts parts;
@@ -74,7 +74,7 @@ static inline void light_add(const Scene* scene, const Stretch* s, int n, Colors
 
 static inline Colors sources_from_points(const Scene* scene, const Stretch* s, MediumResult* result) {
   Colors sum = {(floatW)(0.0f), (floatW)(0.0f), (floatW)(0.0f)};
-  for (int n = 0; n < scene->frame->light_picks; ++n) light_add(scene, s, n, &sum, result);
+  for (int n = 0; n < scene->frame->light_picks; ++n) points_add(scene, s, n, &sum, result);
   return sum;
 }
 

@@ -35,7 +35,8 @@ typedef struct {
 
 #define lowest_bit(mask) ((int)popcount(((mask) & -(mask)) - 1u))
 
-// Bit i: the condition of lane i, which is 0 or -1. Bytes of all bits or none keep one each and are summed by a product.
+// Bit i: the condition of lane i, which is 0 or -1. Bytes of all bits or none keep one each and are summed by a
+// product.
 #define BYTES_BITS(bytes) ((uint)((((bytes)&0x8040201008040201ul) * 0x0101010101010101ul) >> 56))
 static inline uint lanes_bits(intW condition) {
 #if W == 16

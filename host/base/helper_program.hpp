@@ -1,5 +1,5 @@
 // A program of brume's own that runs beside it and is asked over a socket: libraries that damaged files can crash live
-// in such a one.
+// in such a one, and kernels are compiled in one.
 #pragma once
 #include <sys/types.h>
 

@@ -46,7 +46,6 @@ void edge_kinks(const Medium& medium, const Light& light, const RayD& world, Kin
 
 Kinks kinks_find(const Context& context, int index, const RayD& ray, double t_max, const Interval& span) {
   Kinks kinks{span.t0, span.t1};
-  for (const LightKink& kink : light_kinks(context, index, ray, t_max)) kinks.add(kink.t);
   for (int other = 0; other < static_cast<int>(context.media.size()); ++other) {
     if (other == index) continue;
     const Interval beside = medium_interval(context.media[static_cast<std::size_t>(other)], ray, 0, t_max);
@@ -54,6 +53,7 @@ Kinks kinks_find(const Context& context, int index, const RayD& ray, double t_ma
     kinks.add(beside.t0);
     kinks.add(beside.t1);
   }
+  for (const LightKink& kink : light_kinks(context, index, ray, t_max)) kinks.add(kink.t);
   return kinks;
 }
 
@@ -92,14 +92,23 @@ double step_at(const Context& context, const Medium& medium, const RayD& ray, co
 std::vector<LightKink> light_kinks(const Context& context, int index, const RayD& ray, double t_max) {
   std::vector<LightKink> found;
   const Interval span = medium_interval(context.media[static_cast<std::size_t>(index)], ray, 0, t_max);
-  for (std::size_t light = 0; light < context.scene.lights.size(); ++light) {
-    Kinks kinks{span.t0, span.t1};
-    if (is_near_spot(context.scene.lights[light]))
-      for (const double t : spot_cones(context.scene.lights[light], ray)) kinks.add(t);
-    for (const Medium& medium : context.media)
-      if (medium.region == REGION_BOX) edge_kinks(medium, context.scene.lights[light], ray, kinks);
+  const auto& lights = context.scene.lights;
+  const auto add = [&](std::size_t light, const Kinks& kinks) {
     for (const double t : kinks.t)
       if (found.size() < KINKS_MAX) found.push_back({light, t});
+  };
+  for (std::size_t l = 0; l < lights.size(); ++l) {
+    Kinks cones{span.t0, span.t1};
+    if (is_near_spot(lights[l]))
+      for (const double t : spot_cones(lights[l], ray)) cones.add(t);
+    add(l, cones);
+  }
+  for (std::size_t l = 0; l < lights.size(); ++l) {
+    Kinks faces{span.t0, span.t1};
+    if (lights[l].type == LIGHT_SURFACE) continue;
+    for (const Medium& medium : context.media)
+      if (medium.region == REGION_BOX) edge_kinks(medium, lights[l], ray, faces);
+    add(l, faces);
   }
   return found;
 }

@@ -10,7 +10,8 @@ namespace brume::reference {
 std::vector<double> spot_cones(const Light& light, const RayD& ray);
 
 // Where along a view ray within medium `index` the cones of spots lie and where the way to a light begins to leave the
-// box of a medium by another face: the first 64 in the order of lights, cones, media, axes and edges.
+// box of a medium by another face: the first 64, all cones before all boxes, in the order of lights, media, axes
+// and edges.
 struct LightKink {
   std::size_t light;
   double t;

@@ -8,6 +8,7 @@
 
 #include "reference/glass.hpp"
 #include "reference/phase.hpp"
+#include "reference/scatter_light.hpp"
 
 namespace brume::reference {
 namespace {
@@ -101,7 +102,7 @@ class LightRun {
     if (!lit_[i] || !lit_[i + 1] || *lit_[i] == *lit_[i + 1]) return dvec3(0);
     if (sum_of(sends * (passed_[i] + passed_[i + 1])) <= tolerance_ / 4 * seen_) return dvec3(0);
     double near = points_[i].t, far = points_[i + 1].t;
-    for (int halving = 0; halving < 12; ++halving) {
+    for (int halving = 0; halving < EDGE_HALVINGS; ++halving) {
       const double middle = (near + far) / 2;
       const LightSample sample =
           light_at(context_.scene, context_.scene.lights[light_], ray_.at(middle), points_[i].places);

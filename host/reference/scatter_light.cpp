@@ -19,7 +19,6 @@ namespace {
 
 static_assert(IN_SCATTERING_COUNT == 3, "gain_of and source_at know all");
 
-constexpr int EDGE_HALVINGS = 12;         // between two places that are asked
 constexpr std::size_t SEGMENT_EDGES = 6;  // of one light that count
 constexpr std::size_t SEGMENT_KINKS = 8;
 constexpr double EDGES_ASKED = 64;         // places along the ray's way through a medium, at least
@@ -140,7 +139,7 @@ std::optional<std::vector<LitPart>> lit_parts(const Context& context, const Segm
                                               const RayD& ray, const std::array<bool, 2>& lit) {
   const Light& light = context.scene.lights[index];
   const bool all = context.scene.frame.light_picks == static_cast<int>(context.scene.lights.size());
-  if (at.dense || !all || light.type == LIGHT_SURFACE) return {};
+  if (at.deep || !all || light.type == LIGHT_SURFACE) return {};
   const double length = at.end - at.begin;
   std::vector<Cut> cuts;
   bool shining = edges_find(

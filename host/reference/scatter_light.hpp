@@ -10,6 +10,7 @@
 namespace brume::reference {
 
 inline const double FIRST_POINT = (1 - 1 / std::sqrt(3.0)) / 2;  // of two points of a segment, as a share of it
+inline constexpr int EDGE_HALVINGS = 12;                         // between two places of which one is lit
 inline constexpr double DENSE_POINT = 1.0 / 16384;               // the same where a segment is dense
 
 // A piece of a view ray through a medium for which light is asked for: at t, where it is dense at both of its ends, or
@@ -29,6 +30,7 @@ struct Segment {
   double second = 0.5;             // share of ∫ρ about the second of them
   double inside = 0;               // length of the ray's way through the medium
   std::vector<LightKink> kinks{};  // along all of it, where segments do not end at them anyway
+  bool deep = false;               // would be dense, were no medium tracked
 };
 
 // ∫ρT over a segment by a row of BRUME_IN_SCATTERINGS: `integral` is ∫ρ over it, `before` the optical depth up to it

@@ -80,7 +80,7 @@ OUTLINED int way_goes_on(const Scene* scene, Way* way, const Hit* hit) {
   if (material.refraction > 0.0f && way->surfaces < GLASS_SURFACES) {
     way_cross(scene, way, &surface);
     if (!behind) way->left *= interface_passes(&material, &surface, way->dir);
-  } else if (!behind || way->surfaces == GLASS_SURFACES) {
+  } else if (!behind || way->surfaces >= GLASS_SURFACES) {
     way->left = (float3)(0.0f);
   }
   way->from = surface_leave(&surface, way->dir);

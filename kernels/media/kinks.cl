@@ -87,25 +87,29 @@ static inline void box_kinks(Kinks* k, const Medium* medium, const Light* light,
   for (int a = 0; a < 3; ++a) edge_kinks(k, o, d, to, is_point, lo, hi, a);
 }
 
-// Of the rule `gauss2`, but where segments end at kinks anyway.
-#define HAS_LIGHT_KINKS(scene, medium) \
-  (SUMS_BY(scene, medium, GAUSS2) && !IS_PRODUCT(medium) && vec_max(vec_unpack((medium)->sigma_s)) > 0.0f)
+// Of the rule `gauss2`, but where segments end at kinks anyway or no light is taken at two points of them.
+#define HAS_LIGHT_KINKS(scene, medium)                                                           \
+  (SUMS_BY(scene, medium, GAUSS2) && !IS_PRODUCT(medium) && !PLACEMENT_IS(medium, COLLISIONS) && \
+   !(METHOD_IS(medium, ADAPTIVE) && (medium)->light_grids < 0) && vec_max(vec_unpack((medium)->sigma_s)) > 0.0f)
 
-// Those of all lights along a ray's way through the medium.
+// Adds those of all lights without an area along a ray's way through the medium: the cones, then what boxes do.
 OUTLINED void kinks_of_lights(const Scene* scene, const Stretch* stretch, Kinks* k) {
-  kinks_begin(k, 0.0f, stretch->ray->length);
   if (!LIGHTS_ALL(scene)) return;
   const float3 point = vec_point(stretch->origin, stretch->dir, stretch->ray->t_begin);
-  for (int l = 0; l < scene->frame->light_count && k->count < KINKS_MAX; ++l) {
+  for (int l = 0; USES_LIGHT(SPOT) && l < scene->frame->light_count && k->count < KINKS_MAX; ++l) {
     const Light light = scene->lights[l];
     k->asked = l;
     if (LIGHT_IS(&light, SPOT) && light.exponent == 0) spot_kinks(k, &light, point, stretch->dir);
+  }
+  for (int l = 0; l < scene->frame->light_count && k->count < KINKS_MAX; ++l) {
+    const Light light = scene->lights[l];
+    k->asked = l;
+    if (LIGHT_IS(&light, SURFACE)) continue;
     for (int m = 0; m < MEDIA_END(scene); ++m) {
       const Medium medium = scene->media[m];
       if (medium.region == REGION_BOX) box_kinks(k, &medium, &light, point, stretch->dir);
     }
   }
-  k->asked = -1;
 }
 
 #endif

@@ -35,7 +35,7 @@ static inline LitSteps lit_steps_begin(const Scene* scene, const Stretch* stretc
   LitSteps k;
   k.s = 0.0f;
   k.next = 0;
-  kinks_of_lights(scene, stretch, &k.kinks);
+  kinks_begin(&k.kinks, 0.0f, stretch->ray->length);
   if (!LIGHTS_ALL(scene)) return k;
   for (int other = 0; other < MEDIA_END(scene); ++other) {
     if (other == m) continue;
@@ -45,6 +45,7 @@ static inline LitSteps lit_steps_begin(const Scene* scene, const Stretch* stretc
     if (ray.length > 0.0f) kink_add(&k.kinks, begin);
     if (ray.length > 0.0f) kink_add(&k.kinks, begin + ray.length);
   }
+  kinks_of_lights(scene, stretch, &k.kinks);
   return k;
 }
 

@@ -170,6 +170,7 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
   Rough rough = {0.0f, 0.0f, 0.0f};
   Kinks kinks;
   if (HAS_LIGHT_KINKS(scene, &medium)) {
+    kinks_begin(&kinks, 0.0f, ray.length);
     kinks_of_lights(scene, &s, &kinks);
     s.kinks = &kinks;
   }

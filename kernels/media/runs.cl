@@ -137,8 +137,8 @@ static inline float run_sent(const Run* run, const RunLight* light, int a, int m
 }
 
 // Whether a shadow may lie between a and b that none of the points that are asked would see.
-static inline int run_is_wide(const Stretch* s, const Run* run, int a, int b) {
-  return HAS_SURFACES && run->place[b] - run->place[a] > RUN_WIDE * s->ray->length;
+static inline int run_is_wide(const Scene* scene, const Stretch* s, const Run* run, int a, int b) {
+  return scene_has_surfaces(scene) && run->place[b] - run->place[a] > RUN_WIDE * s->ray->length;
 }
 
 // Fills in the points between a and b by the parabola through m, which is one of them; without one (m = a) by a line.
@@ -168,7 +168,7 @@ static inline void run_pass(const Scene* scene, const Stretch* s, const Run* run
     const float off = tests ? run_bend(run, light, known, ask, ends[depth - 1]) : 0.0f;
     if (known < 0) {
       known = ask;
-    } else if (!tests || run_is_wide(s, run, known, ends[depth - 1]) ||
+    } else if (!tests || run_is_wide(scene, s, run, known, ends[depth - 1]) ||
                off > tolerance * run_sent(run, light, known, ask, ends[depth - 1])) {
       ends[depth++] = ask;
     } else {
@@ -187,8 +187,6 @@ static inline void run_pass(const Scene* scene, const Stretch* s, const Run* run
 }
 
 #if HAS_SURFACES
-#define RUN_HALVINGS 12  // between two points of which one is lit
-
 // Half of the segment of point i, and where the share of it for which the point stands begins.
 static inline float run_half(const Run* run, int i, float* begin) {
   const int first = i & ~1;
@@ -209,7 +207,7 @@ static inline float run_share(const Run* run, int i, float s) {
 static inline float run_edge(const Scene* scene, const Stretch* s, const Run* run, int l, int i, int lit,
                              MediumResult* result) {
   float near = run->place[i], far = run->place[i + 1];
-  for (int halving = 0; halving < RUN_HALVINGS; ++halving) {
+  for (int halving = 0; halving < EDGE_HALVINGS; ++halving) {
     const float middle = 0.5f * (near + far);
     if ((vec_max(run_surfaces(scene, s, l, middle, result)) > 0.0f) == lit)
       near = middle;

@@ -134,15 +134,16 @@ static inline int lit_parts_take(const Scene* scene, const Stretch* s, int l, Ar
   Kinks kinks;
   stretch_kinks(s, l, &kinks);
   if (!HAS_EDGES && kinks.count == 0) return 0;
-  int lit[2][W], dense[W], most = 0;
+  const float deepest = METHOD_IS(s->medium, ADAPTIVE) ? TAU_ENDS_ADAPTIVE : TAU_ENDS_GAUSS2;
+  int lit[2][W], deep[W], most = 0;
 #if HAS_EDGES
   AskedEnd end = {-INFINITY, 0};
 #endif
   for (int e = 0; e < 2; ++e) lanes_store(arrivals_lit(&a[e]), lit[e]);
-  lanes_store(s->dense, dense);
+  lanes_store(stretch_depth_max(s) > (floatW)(deepest), deep);
   for (int i = 0; i < W; ++i) {
     for (int n = 0; n < LIT_PARTS; ++n) parts->begin[n][i] = parts->end[n][i] = 0.0f;
-    if (!(s->integral[i] > 0.0f) || dense[i]) continue;
+    if (!(s->integral[i] > 0.0f) || deep[i]) continue;
     Cuts cuts;
     cuts.count = 0;
     int begins_lit = lit[0][i] != 0;
@@ -173,10 +174,15 @@ static inline floatW share_weight(const Stretch* s, int c, floatW share) {
   return fmax(mad_exact(slope, 2.0f * share - 1.0f, (floatW)(1.0f)), (floatW)(0.0f)) * exp(-share * depth) / all;
 }
 
-// What of the light of both points of a lit part is seen, in one channel of τ.
+// What of the light of both points of a lit part is seen, in one channel of τ. Lanes without a part may be too deep for
+// any of that.
 static inline Weights part_weigh(const Stretch* s, const Arrivals* a, int c, const floatW* share, floatW length) {
-  const Weights w = {0.5f * length * share_weight(s, c, share[0]) * exp(-lanes_load(a[0].tau[c])),
-                     0.5f * length * share_weight(s, c, share[1]) * exp(-lanes_load(a[1].tau[c]))};
+  const intW is_none = !(length > 0.0f);
+  floatW weight[2];
+  for (int e = 0; e < 2; ++e)
+    weight[e] = lanes_select(0.5f * length * share_weight(s, c, share[e]) * exp(-lanes_load(a[e].tau[c])),
+                             (floatW)(0.0f), is_none);
+  const Weights w = {weight[0], weight[1]};
   return w;
 }
 

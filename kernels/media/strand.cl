@@ -21,8 +21,7 @@ typedef struct {
   int asks;    // others bring depth
   int ended;   // there are no more batches
   Walk walk;
-  LitSteps lit_steps;
-  Kinks kinks;
+  LitSteps lit_steps;  // of cells the kinks alone
   Segments at;
   Stretch stretch;
   Rough rough;  // of `adaptive`, and what it has sent to the origin
@@ -90,7 +89,10 @@ static inline int strand_begin(const Scene* scene, Strand* k, int m, float3 orig
   k->stretch = stretch_of(&k->medium, &k->ray, origin, dir, t_max, random, m);
   k->walk = walk_begin(scene, &k->medium, &k->ray, k->stretch.walk, WALK_SCATTERS);
   if (k->lit && HAS_LIT_STEPS(scene, &k->medium)) k->lit_steps = lit_steps_begin(scene, &k->stretch, m);
-  if (HAS_LIGHT_KINKS(scene, &k->medium)) kinks_of_lights(scene, &k->stretch, &k->kinks);
+  if (HAS_LIGHT_KINKS(scene, &k->medium)) {
+    kinks_begin(&k->lit_steps.kinks, 0.0f, k->ray.length);
+    kinks_of_lights(scene, &k->stretch, &k->lit_steps.kinks);
+  }
   k->rough.squares = k->rough.seen = k->rough.gain = k->sent = 0.0f;
   k->waits = 0;
   k->known = -INFINITY;

@@ -99,7 +99,7 @@ static inline void strand_scatter(const Scene* scene, const Strands* all, Strand
   s.medium = &medium;
   s.ray = &ray;
   s.at = &k->at;
-  if (HAS_LIGHT_KINKS(scene, &medium)) s.kinks = &k->kinks;
+  if (HAS_LIGHT_KINKS(scene, &medium)) s.kinks = &k->lit_steps.kinks;
   strand_others(scene, all, k, &s, &result->lookups);
   if (!stretch_is_lit(&s)) return;
   stretch_depths(&s, k->sigma_t);

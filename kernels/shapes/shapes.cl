@@ -10,6 +10,13 @@
 #include "shapes/quad.cl"
 #include "shapes/sphere.cl"
 
+// Whether there is anything that blocks.
+static inline int scene_has_surfaces(const Scene* scene) {
+  const __constant Frame* frame = scene->frame;
+  return HAS_SURFACES &&
+         (frame->list_count > 0 || frame->shape_root >= 0 || frame->triangle_count > 0 || frame->instance_root >= 0);
+}
+
 #define PLANE_MARGIN 0x1p-5f  // of the distance to a plane: how far before it a ray starts
 
 // t of the nearest hit with t > 0 of one closed form; INFINITY for a miss. A row without its function does not compile.

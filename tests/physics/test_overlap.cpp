@@ -152,5 +152,16 @@ TEST(Overlap, LookupsGrowAsTheNumberOfMedia) {
   }
 }
 
+// Glow is cut where the others are deep beside it, into 8 parts at most.
+TEST(Overlap, LookupsOfGlowAreBounded) {
+  const auto glow = [](const char* sigma_a) {
+    return lookups_of(flat_of(boxes_scene(16, R"("sigma_s": 0, "emission": 1, "sigma_a": )" + std::string(sigma_a),
+                                          R"({"in_scattering": "gauss2"})")));
+  };
+  const double thin = glow("0.0001"), deep = glow("0.2");
+  EXPECT_GT(deep, 2 * thin);
+  EXPECT_LE(deep, 17 * thin);  // two lookups of each part, where the walk alone takes one of each segment
+}
+
 }  // namespace
 }  // namespace brume::test

@@ -16,12 +16,12 @@ std::string number(double v) {
 
 // A cube of side 2 seen along -z at x = 0.1, y = 0.2.
 struct Cube {
-  std::string density = R"({"type": "constant"})", method = "auto", light, shapes, step = "0.05";
+  std::string density = R"({"type": "constant"})", method = "auto", light, shapes, step = "0.05", more;
   double sigma_t = 1;
 
   PlannedScene flat(int bvh_width) const {
     const std::string medium = R"({"bounds": [[-1, -1, -1], [1, 1, 1]], "density": )" + density + R"(, "sigma_a": )" +
-                               number(0.2 * sigma_t) + R"(, "sigma_s": )" + number(0.8 * sigma_t) + "}";
+                               number(0.2 * sigma_t) + R"(, "sigma_s": )" + number(0.8 * sigma_t) + "}" + more;
     return flatten(scene_read_text(R"({"camera": {"type": "orthographic", "eye": [0.1, 0.2, 3], "target": [0.1, 0.2, 0],
                                       "height": 1e-6}, "film": {"size": [1, 1]}, "lights": [)" +
                                        light + R"(], "shapes": [)" + shapes + R"(], "media": [)" + medium +
@@ -80,7 +80,54 @@ TEST(ShadowEdges, FogBehindABoardIsTheClosedForm) {
       }
 }
 
-// What a spot sends into cells of a quarter of the cube.
+// Its pieces are longer than the cells of the bench: what counts are the edges that it finds between points.
+TEST(ShadowEdges, AdaptiveFindsThemBetweenItsPoints) {
+  for (const auto& [z0, z1] : {std::pair{-0.377, 0.4131}, std::pair{0.05, 0.35}, std::pair{-2.0, -0.23}}) {
+    Cube cube;
+    cube.density = R"({"type": "perlin", "resolution": [24, 24, 24], "scale": 2})";
+    cube.method = R"(adaptive", "tolerance": 1e-4, "storage": "f32)";
+    cube.light = ZENITH;
+    cube.shapes = board(z0, z1);
+    const std::string where = "board from " + number(z0);
+    const double exact = cube.reference_pixel(8);
+    expect_relative(cube.reference_pixel(), exact, 1e-3, where + ", reference");
+    for (const int lanes : {1, 8}) expect_relative(cube.kernel_pixel(lanes), exact, 1e-3, where + ", kernels");
+  }
+}
+
+// Parts that stay deep are not cut, whether another medium is tracked or not: what they send is bounded.
+TEST(ShadowEdges, DeepPartsSendNoMoreThanWithoutAShadow) {
+  for (const std::string& beside : {std::string(), std::string(R"(, {"bounds": [[-3, -1, -1], [-2, 1, 1]],
+         "density": {"type": "perlin"}, "method": "delta_tracking", "sigma_s": 1})")}) {
+    Cube cube;
+    cube.density = R"({"type": "constant", "resolution": [1, 1, 8]})";
+    cube.method = "dda_gauss2";
+    cube.sigma_t = 4e4;
+    cube.light = R"({"type": "directional", "direction": [0, -1, -1], "irradiance": 1})";
+    cube.more = beside;
+    const double lit = 0.8 / (4 * M_PI) / (1 + std::sqrt(2));  // without a board
+    cube.shapes = board(2.3 - 3e-4, 4);                        // keeps the sun from the first 3e-4
+    for (const int lanes : {1, 8, 16}) {
+      const double value = cube.kernel_pixel(lanes);
+      EXPECT_TRUE(value > 0 && value <= 1.01 * lit) << value << " of " << lit << ", " << lanes << " lanes";
+    }
+  }
+}
+
+// A segment that is cut in the same batch as one whose exp(-τ) is none in float.
+TEST(ShadowEdges, BesideABlockOfAnyDepth) {
+  Cube cube;
+  cube.light = ZENITH;
+  cube.shapes = board(-0.5, 0.13);
+  cube.sigma_t = 0.5;
+  cube.more = R"(, {"bounds": [[-1, -1, -1], [1, 1, 0]], "density": {"type": "constant"}, "sigma_s": 1e7})";
+  const double expected = cube.reference_pixel();
+  EXPECT_GT(expected, 1e-3);
+  for (const int lanes : {1, 4, 8, 16})
+    expect_relative(cube.kernel_pixel(lanes), expected, 1e-3, std::to_string(lanes) + " lanes");
+}
+
+// What a spot sends into cells of an eighth of the cube.
 TEST(ShadowEdges, ConeInCells) {
   Cube cube;
   cube.density = R"({"type": "constant", "resolution": [1, 1, 8]})";

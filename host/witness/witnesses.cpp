@@ -21,11 +21,18 @@ namespace {
 
 using reference::rng_uniform;
 
-// Standard errors on either side. 1.96 where values are normal; the spread of a hundred of which a few are large comes
-// out too small (tests/kernel/test_witness_coverage.cpp).
+// Standard errors on either side: 1.96 of normal values. The spread of a hundred of which a few are large comes out too
+// small: never less than this (tests/kernel/test_witness_coverage.cpp), and Student's where few make up the mean.
 constexpr double ERRORS_95 = 2.2;
 constexpr double BRIGHT_SHARE = 0.5;                // of the draws go to pixels by the square of their brightness
 constexpr double GOLDEN_RATIO = 0.618033988749895;  // multiples of it are spread over [0, 1], however many
+
+// Student's 97.5 % by the first terms of its expansion in 1 / freedom [AbramowitzStegun64, 26.7.5].
+double student_95(double freedom) {
+  constexpr double NORMAL = 1.96, FIRST = 2.37, SECOND = 2.82, LEAST = 1.0;
+  const double f = std::max(freedom, LEAST);
+  return NORMAL + FIRST / f + SECOND / (f * f);
+}
 
 // The mean of positive values lies there in 95 of 100 cases: by its logarithm, whose error is nearer to even than that
 // of the mean where a few values are large.
@@ -35,7 +42,9 @@ std::array<double, 2> interval_of(const std::vector<double>& values, double mean
   for (const double value : values) squares += (value - mean) * (value - mean);
   const double error = n > 1 ? std::sqrt(squares / (n * (n - 1))) : mean;
   if (!(mean > 0)) return {0, 0};
-  const double factor = std::exp(ERRORS_95 * error / mean);
+  const double moment = std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+  const double effective = n * n * mean * mean / moment;  // so many equal ones would spread as much
+  const double factor = std::exp(std::max(ERRORS_95, student_95(effective - 1)) * error / mean);
   return {mean / factor, mean * factor};
 }
 

@@ -70,7 +70,7 @@ struct PackShape {
 };
 
 // Of fewer, in nodes, each is tried: rays that go together try one in a fraction of what a node costs each of them.
-constexpr int SHAPES_LISTED = 2;
+constexpr std::size_t SHAPES_LISTED = 2;
 constexpr double SHAPE_ROUNDING = 0x1p-20;  // of coordinates: a shape is met that far from where it is, at most
 
 // Corners of everything finite.
@@ -151,7 +151,7 @@ void flatten_shape_bvh(const LoadedShapes& shapes, FlatScene& scene) {
       names.push_back(index);
     }
   }
-  if (boxes.size() < static_cast<std::size_t>(SHAPES_LISTED * scene.bvh_width) || scene.bvh_rule == BVH_LIST) {
+  if (boxes.size() < SHAPES_LISTED * static_cast<std::size_t>(scene.bvh_width) || scene.bvh_rule == BVH_LIST) {
     scene.shape_list.resize(scene.shapes.size());
     std::iota(scene.shape_list.begin(), scene.shape_list.end(), 0);
     return;

@@ -136,7 +136,7 @@ bool edges_find(const std::function<bool(double)>& shines, const std::array<bool
 
 // PICTURE, Edges of shadows: the parts of a segment that are lit, where it is cut; nothing where it is not.
 std::optional<std::vector<LitPart>> lit_parts(const Context& context, const Segment& at, std::size_t index,
-                                              const RayD& ray, const std::array<bool, 2>& lit) {
+                                              const RayD& ray, const std::array<bool, 2>& lit, Scattered& result) {
   const Light& light = context.scene.lights[index];
   const bool all = context.scene.frame.light_picks == static_cast<int>(context.scene.lights.size());
   if (at.deep || !all || light.type == LIGHT_SURFACE) return {};
@@ -150,6 +150,7 @@ std::optional<std::vector<LitPart>> lit_parts(const Context& context, const Segm
                light_passes(context.scene, context.bounds, {point, -sample.travel}, sample.reach) != dvec3(0);
       },
       lit, EDGES_ASKED * length / at.inside, cuts);
+  result.shadow_key += static_cast<uint>(cuts.size()) * 0x3C6EF372u * static_cast<uint>(index + 1);
   std::size_t kinks = 0;
   for (const LightKink& kink : at.kinks) {
     const double share = (kink.t - at.begin) / length;
@@ -204,7 +205,7 @@ dvec3 light_of_points(const Context& context, const Segment& at, std::size_t lig
                  : light_depth(context, at, light, ray.at(t),
                                at.random.child((k ? STREAM_LIGHT_END : STREAM_LIGHT) + n), result.lookups);
   }
-  const auto parts = lit_parts(context, at, light, ray, {arriving[0] != dvec3(0), arriving[1] != dvec3(0)});
+  const auto parts = lit_parts(context, at, light, ray, {arriving[0] != dvec3(0), arriving[1] != dvec3(0)}, result);
   if (parts) return light_of_parts(context, at, light, n, ray, *parts, result);
   const bool bends = at.bends && arriving[0] != dvec3(0) && arriving[1] != dvec3(0);
   dvec3 sum;

@@ -6,9 +6,10 @@
 #include "media/kinks.cl"
 
 #define HAS_EDGES (HAS_SURFACES || USES_LIGHT(SPOT))
-#define RAY_ASKED 64.0f   // places along the ray's way through the medium, at least, that say whether it is lit
-#define EDGE_HALVINGS 12  // between two of them
-#define SEGMENT_EDGES 6   // that count
+#define RAY_ASKED 64.0f       // places along the ray's way through the medium, at least, that say whether it is lit
+#define EDGE_HALVINGS 12      // between two of them
+#define EDGE_KEY 0x3C6EF372u  // of each, into the key
+#define SEGMENT_EDGES 6       // that count
 #define SEGMENT_KINKS 8
 #define KINK_INSET 0x1p-10f
 #define CUTS (SEGMENT_EDGES + SEGMENT_KINKS)
@@ -149,6 +150,7 @@ static inline int lit_parts_take(const Scene* scene, const Stretch* s, int l, Ar
     int begins_lit = lit[0][i] != 0;
 #if HAS_EDGES
     begins_lit = edges_find(scene, s, l, i, lit[0][i] != 0, lit[1][i] != 0, &end, &cuts, result);
+    result->shadow_key += (uint)cuts.count * EDGE_KEY * (uint)(l + 1);
 #endif
     kinks_find(&kinks, s->at, i, &cuts);
     if (cuts.count == 0) continue;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <string>
 #include <vector>
@@ -23,6 +24,13 @@ inline constexpr double REFERENCE_LIMIT = 1e-12;  // relative, double
 
 // Radiance of a camera ray of the flat scene, by the derivation in the scene's file.
 using ClosedForm = std::function<double(const PlannedScene&, const reference::RayD&)>;
+
+// As JSON, so that no digit is lost.
+inline std::string number(double v) {
+  char digits[40];
+  std::snprintf(digits, sizeof digits, "%.17g", v);
+  return digits;
+}
 
 inline Context& pocl() {
   static Context context(device_choose("portable computing language"));

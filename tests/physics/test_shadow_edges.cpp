@@ -8,12 +8,6 @@
 namespace brume::test {
 namespace {
 
-std::string number(double v) {
-  char digits[40];
-  std::snprintf(digits, sizeof digits, "%.17g", v);
-  return digits;
-}
-
 // A cube of side 2 seen along -z at x = 0.1, y = 0.2.
 struct Cube {
   std::string density = R"({"type": "constant"})", method = "auto", light, shapes, step = "0.05", more;

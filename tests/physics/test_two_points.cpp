@@ -8,12 +8,6 @@
 namespace brume::test {
 namespace {
 
-std::string number(double v) {
-  char digits[40];
-  std::snprintf(digits, sizeof digits, "%.17g", v);
-  return digits;
-}
-
 struct Fog {
   std::string bounds = "[[-1, -1, -1], [1, 1, 1]]", density = R"({"type": "constant"})", light;
   double sigma_t = 1;

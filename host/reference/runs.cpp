@@ -101,17 +101,13 @@ class LightRun {
     const dvec3 sends = weights_[i] + weights_[i + 1];
     if (!lit_[i] || !lit_[i + 1] || *lit_[i] == *lit_[i + 1]) return dvec3(0);
     if (sum_of(sends * (passed_[i] + passed_[i + 1])) <= tolerance_ / 4 * seen_) return dvec3(0);
-    double near = points_[i].t, far = points_[i + 1].t;
-    for (int halving = 0; halving < EDGE_HALVINGS; ++halving) {
-      const double middle = (near + far) / 2;
-      const LightSample sample =
-          light_at(context_.scene, context_.scene.lights[light_], ray_.at(middle), points_[i].places);
-      const bool lit =
-          sample.distance == 0 ||
-          light_passes(context_.scene, context_.bounds, {ray_.at(middle), -sample.travel}, sample.reach) != dvec3(0);
-      (lit == *lit_[i] ? near : far) = middle;
-    }
-    const double edge = (near + far) / 2, first = half_of(i).before(edge), second = half_of(i + 1).before(edge);
+    const auto unblocked = [&](double t) {
+      const LightSample sample = light_at(context_.scene, context_.scene.lights[light_], ray_.at(t), points_[i].places);
+      return sample.distance == 0 ||
+             light_passes(context_.scene, context_.bounds, {ray_.at(t), -sample.travel}, sample.reach) != dvec3(0);
+    };
+    const double edge = edge_between(unblocked, points_[i].t, points_[i + 1].t, *lit_[i]);
+    const double first = half_of(i).before(edge), second = half_of(i + 1).before(edge);
     const dvec3& light = *lit_[i] ? passed_[i] : passed_[i + 1];
     const dvec3 moves = weights_[i + 1] * second - weights_[i] * (1 - first);
     return *lit_[i] ? moves * light : -moves * light;

@@ -95,6 +95,12 @@ Arrival light_arrival(const Context& context, std::size_t index, const dvec3& po
   return arrival;
 }
 
+bool light_shines(const Context& context, const Light& light, const dvec3& point, const RandomStream& places) {
+  const LightSample sample = light_at(context.scene, light, point, places);
+  return sample.shines() &&
+         light_passes(context.scene, context.bounds, {point, -sample.travel}, sample.reach) != dvec3(0);
+}
+
 Scattered media_scatter(const Context& context, const RayD& ray, double t_max, const RandomStream& random) {
   if (context.exact()) return media_scatter_exact(context, ray, t_max, random);
   Scattered result;

@@ -62,6 +62,9 @@ Arrival light_arrival(const Context& context, std::size_t light, const dvec3& po
                       const RandomStream& places, const RandomStream& random, double& lookups,
                       const dvec3* media = nullptr);
 
+// Whether a light without media in between shines on a point: E·V ≠ 0.
+bool light_shines(const Context& context, const Light& light, const dvec3& point, const RandomStream& places);
+
 struct Scattered {
   dvec3 radiance{0};    // as it arrives at the ray's origin
   dvec3 tau{0};         // of all media up to t_max

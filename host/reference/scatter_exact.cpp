@@ -35,11 +35,7 @@ struct Piece {
 // Which lights shine on a point, whatever the media leave of them.
 std::vector<bool> lit_at(const Context& context, const dvec3& point, const RandomStream& random) {
   std::vector<bool> lit;
-  for (const Light& light : context.scene.lights) {
-    const LightSample sample = light_at(context.scene, light, point, random);
-    lit.push_back(sample.shines() &&
-                  light_passes(context.scene, context.bounds, {point, -sample.travel}, sample.reach) != dvec3(0));
-  }
+  for (const Light& light : context.scene.lights) lit.push_back(light_shines(context, light, point, random));
   return lit;
 }
 

@@ -49,7 +49,7 @@ dvec3 light_transmittance(const Context& context, const Segment& at, std::size_t
   const auto depth = [&](double t, uint stream) {
     return light_depth(context, at, light, ray.at(t), at.random.child(stream + n), lookups);
   };
-  if (!at.dense) return transmittance_of(depth(at.t, STREAM_LIGHT));
+  if (!at.dense()) return transmittance_of(depth(at.t, STREAM_LIGHT));
   // from inside both ends, of which one may lie on a face of a medium along which light travels, and on in a straight
   // line
   const double inset = DENSE_POINT, length = at.end - at.begin;
@@ -82,9 +82,9 @@ double bend_log(double x, double q) {
 
 // One channel of shadow ray n: what counts of the light at both points.
 std::array<double, 2> points_weights(const Segment& at, int c, double near, double far, bool bends) {
-  const double q = at.dense ? DENSE_POINT : FIRST_POINT, depth = at.depth[c], grows = (far - near) / (1 - 2 * q);
+  const double q = at.dense() ? DENSE_POINT : FIRST_POINT, depth = at.depth[c], grows = (far - near) / (1 - 2 * q);
   const double behind = at.second * std::exp(-depth * (1 - 2 * q)), share = behind / (1 - at.second + behind);
-  if (at.dense && bends) {
+  if (at.dense() && bends) {
     const double begin = std::max(near - q * grows, 0.0), end = depth + std::max(far + q * grows, 0.0);
     const double mean = mean_between(begin, end) / mean_between(0, depth);
     return {(1 - share) * mean, share * mean};
@@ -119,14 +119,7 @@ bool edges_find(const std::function<bool(double)>& shines, const std::array<bool
       if (cuts.size() == SEGMENT_EDGES) return begins;
       const double at = places[i - 1] + gap * (n / count);
       const bool is = n == count && i < 3 ? lit[i - 1] : shines(at);
-      if (is != was) {
-        double near = before, far = at;
-        for (int halving = 0; halving < EDGE_HALVINGS; ++halving) {
-          const double middle = (near + far) / 2;
-          (shines(middle) == was ? near : far) = middle;
-        }
-        cuts.push_back({(near + far) / 2, true});
-      }
+      if (is != was) cuts.push_back({edge_between(shines, before, at, was), true});
       before = at;
       was = is;
     }
@@ -143,21 +136,16 @@ std::optional<std::vector<LitPart>> lit_parts(const Context& context, const Segm
   const double length = at.end - at.begin;
   std::vector<Cut> cuts;
   bool shining = edges_find(
-      [&](double share) {
-        const dvec3 point = ray.at(at.begin + share * length);
-        const LightSample sample = light_at(context.scene, light, point, at.places);
-        return sample.shines() &&
-               light_passes(context.scene, context.bounds, {point, -sample.travel}, sample.reach) != dvec3(0);
-      },
-      lit, EDGES_ASKED * length / at.inside, cuts);
+      [&](double share) { return light_shines(context, light, ray.at(at.begin + share * length), at.places); }, lit,
+      EDGES_ASKED * length / at.inside, cuts);
   result.shadow_key += static_cast<uint>(cuts.size()) * 0x3C6EF372u * static_cast<uint>(index + 1);
-  std::size_t kinks = 0;
-  for (const LightKink& kink : at.kinks) {
-    const double share = (kink.t - at.begin) / length;
-    if (kink.light != index || share <= KINK_INSET || share >= 1 - KINK_INSET || kinks == SEGMENT_KINKS) continue;
-    cuts.push_back({share, false});
-    ++kinks;
-  }
+  const std::size_t most = cuts.size() + SEGMENT_KINKS;
+  if (at.kinks)
+    for (const LightKink& kink : *at.kinks) {
+      const double share = (kink.t - at.begin) / length;
+      if (kink.light == index && share > KINK_INSET && share < 1 - KINK_INSET && cuts.size() < most)
+        cuts.push_back({share, false});
+    }
   if (cuts.empty()) return {};
   std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) { return a.share < b.share; });
   cuts.push_back({1, false});
@@ -197,7 +185,7 @@ dvec3 light_of_points(const Context& context, const Segment& at, std::size_t lig
                       Scattered& result) {
   std::array<dvec3, 2> arriving, tau;
   for (uint k = 0; k < 2; ++k) {
-    const double q = at.dense ? DENSE_POINT : FIRST_POINT;
+    const double q = at.dense() ? DENSE_POINT : FIRST_POINT;
     const double t = at.begin + (at.end - at.begin) * (k ? 1 - q : q);
     arriving[k] = arriving_at(context, at, light, t, ray, result);
     tau[k] = arriving[k] == dvec3(0)
@@ -236,6 +224,15 @@ dvec3 source_at(const Context& context, const Segment& at, const RayD& ray, Scat
 }
 
 }  // namespace
+
+double edge_between(const std::function<bool(double)>& lit, double near, double far, bool first) {
+  constexpr int HALVINGS = 12;
+  for (int halving = 0; halving < HALVINGS; ++halving) {
+    const double middle = (near + far) / 2;
+    (lit(middle) == first ? near : far) = middle;
+  }
+  return (near + far) / 2;
+}
 
 double gain_of(int rule, double integral, double before, double depth) {
   if (rule == IN_SCATTERING_RECTANGLE) return std::exp(-(before + depth)) * integral;

@@ -2,6 +2,7 @@
 // business of scatter_segments.cpp.
 #pragma once
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "reference/lit_steps.hpp"
@@ -10,7 +11,6 @@
 namespace brume::reference {
 
 inline const double FIRST_POINT = (1 - 1 / std::sqrt(3.0)) / 2;  // of two points of a segment, as a share of it
-inline constexpr int EDGE_HALVINGS = 12;                         // between two places of which one is lit
 inline constexpr double DENSE_POINT = 1.0 / 16384;               // the same where a segment is dense
 
 // A piece of a view ray through a medium for which light is asked for: at t, where it is dense at both of its ends, or
@@ -22,16 +22,19 @@ struct Segment {
   uint id;              // which number it has there,
   RandomStream random;  // and its own
   RandomStream places;  // of the ray, for lights with an area
-  bool dense = false;
+  bool deep = false;    // asks at its ends, unless a medium is tracked
   double begin = 0, end = 0;
   dvec3 depth{0};  // of all media over it
   bool two_points = false;
-  bool bends = false;              // two points: light's depth may be taken to grow evenly between them
-  double second = 0.5;             // share of ∫ρ about the second of them
-  double inside = 0;               // length of the ray's way through the medium
-  std::vector<LightKink> kinks{};  // along all of it, where segments do not end at them anyway
-  bool deep = false;               // would be dense, were no medium tracked
+  bool bends = false;                             // no medium is tracked: depths may be taken to grow evenly
+  double second = 0.5;                            // share of ∫ρ about the second of them
+  double inside = 0;                              // length of the ray's way through the medium
+  const std::vector<LightKink>* kinks = nullptr;  // along all of it, where segments do not end at them anyway
+  bool dense() const { return deep && bends; }
 };
+
+// Where between two places, of which the first is lit as told and the other is not so, that changes.
+double edge_between(const std::function<bool(double)>& lit, double near, double far, bool first);
 
 // ∫ρT over a segment by a row of BRUME_IN_SCATTERINGS: `integral` is ∫ρ over it, `before` the optical depth up to it
 // and `depth` that over it.

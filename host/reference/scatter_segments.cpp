@@ -119,14 +119,13 @@ struct SegmentWalk {
   bool scatter(const SegmentD& segment) {
     const auto [other_tau, other_depth] = beside(segment);
     const dvec3 depth = sigma_t * segment.density_length + other_depth, before = own_tau + other_tau;
-    const bool deep = largest(depth) > dense_from(), dense = takes_ends && deep;
+    const bool deep = largest(depth) > dense_from();
     Segment at{index, segment.sample,  walk,          segment.id, walk.child(segment.id), places,
-               dense, segment.t_begin, segment.t_end, depth};
+               deep,  segment.t_begin, segment.t_end, depth};
     at.two_points = rule == IN_SCATTERING_GAUSS2;
     at.bends = takes_ends;
     at.inside = inside;
-    at.deep = deep;
-    at.kinks = kinks;
+    at.kinks = &kinks;
     if (method_rule(method) == RULE_GAUSS2 || adapts()) at.second = second_share(segment);
     dvec3 gain;
     for (int c = 0; c < 3; ++c)
@@ -137,7 +136,7 @@ struct SegmentWalk {
       seen_squares += square * std::pow(gain.y / segment.density_length, 2);
       all_gain += gain.y;
     }
-    if (runs() && !dense)
+    if (runs() && !at.dense())
       run_take(at, gain);
     else
       result.radiance += sent_from(context, at, ray, result) * gain;

@@ -54,10 +54,6 @@ double event_seconds(const cl::Event& event) {
                                     event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
 }
 
-}  // namespace
-
-namespace {
-
 constexpr int TRAVERSE_MS[] = {140, 620, 900};  // of traverse_dda: without media, with one, with several
 constexpr int OTHER_BEGINS_MS = 60;             // what the program that builds the second part takes to begin
 

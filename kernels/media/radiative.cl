@@ -59,8 +59,7 @@ static inline void stretch_gains(const Scene* scene, Stretch* s, Tau sigma_t, Ta
   s->dense = (intW)(0);
   if (TAKES_ENDS(scene) && SUMS_BY(scene, s->medium, SEGMENT))
     s->dense = stretch_depth_max(s) > (floatW)(IS_PRODUCT(s->medium) ? TAU_THIN_CONSTANT : TAU_THIN);
-  if (TAKES_ENDS(scene) && SUMS_BY(scene, s->medium, GAUSS2))
-    s->dense = stretch_depth_max(s) > (floatW)(METHOD_IS(s->medium, ADAPTIVE) ? TAU_ENDS_ADAPTIVE : TAU_ENDS_GAUSS2);
+  if (TAKES_ENDS(scene) && SUMS_BY(scene, s->medium, GAUSS2)) s->dense = stretch_deep(s);
   stretch_before(scene, s, sigma_t, tau, before);
   const floatW integral = lanes_load(s->integral);
   for (int c = 0; c < TAU_CHANNELS; ++c) {

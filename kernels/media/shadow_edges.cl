@@ -135,13 +135,12 @@ static inline int lit_parts_take(const Scene* scene, const Stretch* s, int l, Ar
   Kinks kinks;
   stretch_kinks(s, l, &kinks);
   if (!HAS_EDGES && kinks.count == 0) return 0;
-  const float deepest = METHOD_IS(s->medium, ADAPTIVE) ? TAU_ENDS_ADAPTIVE : TAU_ENDS_GAUSS2;
   int lit[2][W], deep[W], most = 0;
 #if HAS_EDGES
   AskedEnd end = {-INFINITY, 0};
 #endif
   for (int e = 0; e < 2; ++e) lanes_store(arrivals_lit(&a[e]), lit[e]);
-  lanes_store(stretch_depth_max(s) > (floatW)(deepest), deep);
+  lanes_store(stretch_deep(s), deep);
   for (int i = 0; i < W; ++i) {
     for (int n = 0; n < LIT_PARTS; ++n) parts->begin[n][i] = parts->end[n][i] = 0.0f;
     if (!(s->integral[i] > 0.0f) || deep[i]) continue;

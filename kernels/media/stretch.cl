@@ -169,6 +169,11 @@ static inline floatW stretch_depth_max(const Stretch* s) {
   return depth;
 }
 
+// Too deep for two points within each.
+static inline intW stretch_deep(const Stretch* s) {
+  return stretch_depth_max(s) > (floatW)(METHOD_IS(s->medium, ADAPTIVE) ? TAU_ENDS_ADAPTIVE : TAU_ENDS_GAUSS2);
+}
+
 // The parts of a batch of segments that are still to come.
 typedef struct {
   float count[W];  // of each segment

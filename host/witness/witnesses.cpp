@@ -29,7 +29,8 @@ constexpr double GOLDEN_RATIO = 0.618033988749895;  // multiples of it are sprea
 
 // Student's 97.5 % by the first terms of its expansion in 1 / freedom [AbramowitzStegun64, 26.7.5].
 double student_95(double freedom) {
-  constexpr double NORMAL = 1.96, FIRST = 2.37, SECOND = 2.82, LEAST = 1.0;
+  constexpr double NORMAL = 1.96, FIRST = 2.37, SECOND = 2.82;
+  constexpr double LEAST = 2.0;  // less would be wider than a logarithm can bear, and held no more pictures
   const double f = std::max(freedom, LEAST);
   return NORMAL + FIRST / f + SECOND / (f * f);
 }

@@ -222,6 +222,13 @@ std::vector<Check> medium_checks() {
   constant.render.in_scattering = IN_SCATTERING_GAUSS2;
   constant.lights.push_back(spot_through_fog());
   checks.push_back(medium_check("in_scattering/gauss2/constant", "scatter", scatter_prepare, constant));
+  // turned boxes on one spot, between whose places of light depths are interpolated
+  SceneDesc several = fog_desc(density_kinds()[INTERPOLATION_TRILINEAR], METHOD_AUTO);
+  for (int i = 1; i < 4; ++i) {
+    several.media.push_back(several.media[0]);
+    several.media.back().transform.push_back(Rotate{dvec3(0, 1, 0.3), 25.0 * i});
+  }
+  checks.push_back(medium_check("scatter/media_on_one_spot", "scatter", scatter_prepare, several));
   add_rows(checks, "scatter/phase/", phase_family(), "scatter", scatter_prepare,
            [](SceneDesc& desc, int phase) { desc.media[0].phase = phase; });
   return checks;

@@ -62,6 +62,16 @@ MediumWalk walk_plan(const SceneDesc& desc, const MediumDesc& m, const FlatScene
   return walk;
 }
 
+// Depths to the lights are interpolated where they change smoothly along a view ray and come without random numbers,
+// and where kernels walk the media side by side.
+bool wants_light_ladder(const RenderPlan& plan) {
+  const bool draws = (plan.draws & ~(1u << DRAWS_NOTHING)) != 0 || plan.frame.roulette > 0 || plan_lights_extend(plan);
+  const bool adapts = std::any_of(plan.walks.begin(), plan.walks.end(),
+                                  [](const MediumWalk& walk) { return method_has_tolerance(walk.method); });
+  const bool all = plan.frame.light_picks == plan.frame.light_count && plan.frame.light_count <= LADDER_LIGHTS;
+  return all && !draws && !adapts && plan.walks.size() <= MEDIA_TOGETHER;
+}
+
 void plan_media(const SceneDesc& desc, const FlatScene& flat, RenderPlan& plan) {
   const std::vector<MediumRow> rows = media_rows(desc);
   media_check(desc, rows, plan.plan_notes);
@@ -78,6 +88,7 @@ void plan_media(const SceneDesc& desc, const FlatScene& flat, RenderPlan& plan) 
   const std::vector<int> light_grids = light_grids_plan(desc, media, plan);
   for (std::size_t i = 0; i < rows.size(); ++i) plan.walks[i].light_grids = light_grids[i];
   plan.frame.takes_ends = !((plan.draws >> DRAWS_COLLISIONS) & 1u);
+  plan.frame.light_ladder = wants_light_ladder(plan);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "reference/glass.hpp"
 #include "reference/light_grid.hpp"
+#include "reference/light_ladder.hpp"
 #include "reference/phase.hpp"
 #include "shared/method.h"
 
@@ -30,12 +31,15 @@ double mean_exp(double x) { return x == 0 ? 1 : -std::expm1(-x) / x; }
 // ∫ exp(-(a + (b - a) u)) du over [0, 1].
 double mean_between(double a, double b) { return std::exp(-std::min(a, b)) * mean_exp(std::abs(b - a)); }
 
-// τ of all media from a point in a medium to a light, by its light grid if it has one.
-dvec3 light_depth(const Context& context, const Segment& at, std::size_t light, const dvec3& point,
+// τ of all media from the place t of a ray in a medium to a light, by its light grid if it has one.
+dvec3 light_depth(const Context& context, const Segment& at, std::size_t light, const RayD& ray, double t,
                   const RandomStream& random, double& lookups) {
+  const dvec3 point = ray.at(t);
   const Medium& medium = context.media[static_cast<std::size_t>(at.medium)];
   const LightDepths& depths = context.light_depths[static_cast<std::size_t>(at.medium)];
   if (depths.tau.empty()) {
+    if (at.ladder)
+      if (const auto tau = at.ladder->depth(at, light, t, lookups)) return *tau;
     const LightSample sample = light_at(context.scene, context.scene.lights[light], point, at.places);
     return media_tau(context, {point, -sample.travel}, sample.distance, random, lookups);
   }
@@ -47,7 +51,7 @@ dvec3 light_depth(const Context& context, const Segment& at, std::size_t light, 
 dvec3 light_transmittance(const Context& context, const Segment& at, std::size_t light, uint n, const RayD& ray,
                           double& lookups) {
   const auto depth = [&](double t, uint stream) {
-    return light_depth(context, at, light, ray.at(t), at.random.child(stream + n), lookups);
+    return light_depth(context, at, light, ray, t, at.random.child(stream + n), lookups);
   };
   if (!at.dense()) return transmittance_of(depth(at.t, STREAM_LIGHT));
   // from inside both ends, of which one may lie on a face of a medium along which light travels, and on in a straight
@@ -173,7 +177,7 @@ dvec3 light_of_parts(const Context& context, const Segment& at, std::size_t ligh
       const double t = at.begin + u * (at.end - at.begin);
       const dvec3 arriving = arriving_at(context, at, light, t, ray, result);
       if (arriving == dvec3(0)) continue;
-      const dvec3 tau = light_depth(context, at, light, ray.at(t),
+      const dvec3 tau = light_depth(context, at, light, ray, t,
                                     at.random.child((k ? STREAM_LIGHT_END : STREAM_LIGHT) + n), result.lookups);
       sum += (part.to - part.from) / 2 * density(u) * transmittance_of(u * at.depth + tau) / all * arriving;
     }
@@ -190,8 +194,8 @@ dvec3 light_of_points(const Context& context, const Segment& at, std::size_t lig
     arriving[k] = arriving_at(context, at, light, t, ray, result);
     tau[k] = arriving[k] == dvec3(0)
                  ? dvec3(0)
-                 : light_depth(context, at, light, ray.at(t),
-                               at.random.child((k ? STREAM_LIGHT_END : STREAM_LIGHT) + n), result.lookups);
+                 : light_depth(context, at, light, ray, t, at.random.child((k ? STREAM_LIGHT_END : STREAM_LIGHT) + n),
+                               result.lookups);
   }
   const auto parts = lit_parts(context, at, light, ray, {arriving[0] != dvec3(0), arriving[1] != dvec3(0)}, result);
   if (parts) return light_of_parts(context, at, light, n, ray, *parts, result);

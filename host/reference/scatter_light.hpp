@@ -13,6 +13,8 @@ namespace brume::reference {
 inline const double FIRST_POINT = (1 - 1 / std::sqrt(3.0)) / 2;  // of two points of a segment, as a share of it
 inline constexpr double DENSE_POINT = 1.0 / 16384;               // the same where a segment is dense
 
+class LightLadder;
+
 // A piece of a view ray through a medium for which light is asked for: at t, where it is dense at both of its ends, or
 // at two points.
 struct Segment {
@@ -30,6 +32,7 @@ struct Segment {
   double second = 0.5;                            // share of ∫ρ about the second of them
   double inside = 0;                              // length of the ray's way through the medium
   const std::vector<LightKink>* kinks = nullptr;  // along all of it, where segments do not end at them anyway
+  const LightLadder* ladder = nullptr;            // nullptr: a collision
   bool dense() const { return deep && bends; }
 };
 

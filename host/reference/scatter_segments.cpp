@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "reference/light_ladder.hpp"
 #include "reference/liquid.hpp"
 #include "reference/lit_steps.hpp"
 #include "reference/others.hpp"
@@ -30,6 +31,7 @@ struct SegmentWalk {
   Others others;
   std::vector<DepthAlong> depths;  // of the other media, where none is tracked
   Scattered& result;
+  LightLadder ladder;
   std::vector<LightKink> kinks{};                      // along that
   double inside = 0;                                   // length of the ray's way through the medium
   std::vector<RunPoint> run{};                         // of `adaptive`, while its light is traced
@@ -126,6 +128,7 @@ struct SegmentWalk {
     at.bends = takes_ends;
     at.inside = inside;
     at.kinks = &kinks;
+    at.ladder = &ladder;
     if (method_rule(method) == RULE_GAUSS2 || adapts()) at.second = second_share(segment);
     dvec3 gain;
     for (int c = 0; c < 3; ++c)
@@ -203,7 +206,8 @@ void medium_segments(const Context& context, int index, const RayD& ray, double 
       dvec3(0),
       {context, index, ray},
       {},
-      result};
+      result,
+      {context, ray, t_max}};
   for (int other = 0; scattering.takes_ends && other < static_cast<int>(context.media.size()); ++other)
     if (other != index)
       scattering.depths.emplace_back(context, other, ray, t_max, random.child(static_cast<uint>(other)),

@@ -28,8 +28,8 @@ static inline void arrivals_find(const Scene* scene, const Stretch* s, int n, co
       const LightPick pick = light_choose(scene, n, light_choice(s->walk, stretch_id(s, i)));
       arriving = pick.weight * place_arriving(scene, s, pick.light, place[i], result);
       if (vec_max(arriving) > 0.0f && !(BRUME_LIGHT_GRID && s->medium->light_grids >= 0))
-        tau = light_depth(scene, s, pick.light, s->ray->t_begin + place[i], stretch_random(s, i, stream + (uint)n),
-                          &result->lookups);
+        tau = segment_light_depth(scene, s, pick.light, i, place[i], stretch_random(s, i, stream + (uint)n),
+                                  &result->lookups);
     }
     out->light[0][i] = arriving.x;
     out->light[1][i] = arriving.y;

@@ -138,6 +138,9 @@ static inline Stretch stretch_of(const Medium* medium, const MediumRay* ray, flo
   s.random = random;
   s.walk = random_stream(random, (uint)m);
   s.kinks = 0;
+#if BRUME_MEDIA >= 3
+  s.ladder = 0;
+#endif
   s.light_t = -INFINITY;
   s.light_tau = (Tau)(0.0f);
   return s;

@@ -3,8 +3,8 @@
 #define BRUME_MEDIA_SOURCES_CL
 #include "lights/lights.cl"
 #include "materials/glass.cl"
+#include "media/ladder.cl"
 #include "media/light_grid.cl"
-#include "media/stretch.cl"
 #include "phase/phase.cl"
 
 // RGB of every lane.
@@ -104,11 +104,22 @@ static inline Colors sources_from_grid(const Scene* scene, const Stretch* s, Med
 }
 #endif
 
-// Depth of all media from a point of the view ray, at world distance t, to light l.
-static inline Tau light_depth(const Scene* scene, const Stretch* s, int l, float t, Random random, uint* lookups) {
-  const float3 point = vec_point(s->origin, s->dir, t);
-  const LightSample light = light_sample(scene, l, point, s->random);
-  return media_tau(scene, -1, point, -light.travel, light.distance, random, lookups);
+#if BRUME_MEDIA >= 3
+#define segment_is_on_ladder(s, i) ((s)->ladder && (s)->on_ladder[i])
+#else
+#define segment_is_on_ladder(s, i) 0
+#endif
+
+// The same from `place` on segment i, which asks for itself or reads it off the ladder.
+static inline Tau segment_light_depth(const Scene* scene, const Stretch* s, int l, int i, float place, Random random,
+                                      uint* lookups) {
+  const float t = s->ray->t_begin + place;
+#if BRUME_MEDIA >= 3
+  Tau tau;
+  if (segment_is_on_ladder(s, i) && ladder_reaches(scene, s, l, t) && ladder_depth(scene, s, l, place, &tau, lookups))
+    return tau;
+#endif
+  return light_depth(scene, s, l, t, random, lookups);
 }
 
 // T of segment i to the light of shadow ray n. A dense segment asks at both ends, from END_INSET inside of them, and
@@ -116,18 +127,19 @@ static inline Tau light_depth(const Scene* scene, const Stretch* s, int l, float
 // known.
 static inline float3 transmittance_traced(const Scene* scene, Stretch* s, int l, int n, int i, int dense,
                                           const float* depth, MediumResult* result) {
-  const float size = s->at->size[i], begins = stretch_begin(s, i);
+  const float size = s->at->size[i];
 #if BRUME_RANDOM
   const int known = 0;
 #else
-  const int known = dense && scene->frame->light_count == 1 && fabs(begins - s->light_t) <= 0x1p-10f * size;
+  const int known = dense && scene->frame->light_count == 1 && !segment_is_on_ladder(s, i) &&
+                    fabs(stretch_begin(s, i) - s->light_t) <= 0x1p-10f * size;
 #endif
   const float share[2] = {known ? 0.0f : END_INSET, 1.0f - END_INSET};
   Tau tau[2] = {s->light_tau, s->light_tau};
   for (int e = known; e < 1 + dense; ++e) {
-    const float t = dense ? mad_exact(share[e], size, begins) : s->ray->t_begin + s->at->place[i];
+    const float place = dense ? mad_exact(share[e], size, s->at->begin[i]) : s->at->place[i];
     const Random random = stretch_random(s, i, (e ? STREAM_LIGHT_END : STREAM_LIGHT) + (uint)n);
-    tau[e] = light_depth(scene, s, l, t, random, &result->lookups);
+    tau[e] = segment_light_depth(scene, s, l, i, place, random, &result->lookups);
   }
   if (!dense) return (float3)(1.0f) * exp(-tau[0]);
   tau[0] = fmin(tau[0], (Tau)(TAU_FINITE));
@@ -135,7 +147,7 @@ static inline float3 transmittance_traced(const Scene* scene, Stretch* s, int l,
   const Tau slope = (tau[1] - tau[0]) / (share[1] - share[0]);
   const Tau begin = fmax(tau[0] - slope * share[0], (Tau)(0.0f));
   s->light_tau = fmax(tau[1] + slope * END_INSET, (Tau)(0.0f));
-  s->light_t = stretch_end(s, i);
+  s->light_t = segment_is_on_ladder(s, i) ? -INFINITY : stretch_end(s, i);  // one that asks for itself asks again
   float mean[3];
   for (int c = 0; c < TAU_CHANNELS; ++c)
     mean[c] = light_mean(tau_channel(begin, c), tau_channel(s->light_tau, c), depth[c * W + i]);

@@ -56,6 +56,7 @@ typedef struct {
   int first, end;
   int apart;   // there are others
   int closed;  // what is behind the window is black
+  Ladder ladder;
   Window window;
 } Strands;
 

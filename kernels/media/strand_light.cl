@@ -89,7 +89,7 @@ static inline int strand_parts_others(const Strands* all, const Strand* k, Stret
 
 // What the batch sends to the origin, or the parts of it where it is dense. What light asks for again and again is
 // copied: in an array of strands the compiler cannot keep it in registers.
-static inline void strand_scatter(const Scene* scene, const Strands* all, Strand* k, LongSum* radiance,
+static inline void strand_scatter(const Scene* scene, Strands* all, Strand* k, LongSum* radiance,
                                   MediumResult* result) {
   const Medium medium = k->medium;
   const MediumRay ray = k->ray;
@@ -100,6 +100,7 @@ static inline void strand_scatter(const Scene* scene, const Strands* all, Strand
   s.ray = &ray;
   s.at = &k->at;
   if (HAS_LIGHT_KINKS(scene, &medium)) s.kinks = &k->lit_steps.kinks;
+  s.ladder = all->ladder.step > 0.0f ? &all->ladder : 0;
   strand_others(scene, all, k, &s, &result->lookups);
   if (!stretch_is_lit(&s)) return;
   stretch_depths(&s, k->sigma_t);
@@ -120,6 +121,7 @@ static inline void strand_scatter(const Scene* scene, const Strands* all, Strand
       stretch_depths(&s, k->sigma_t);
     }
     stretch_gains(scene, &s, k->sigma_t, &k->tau);
+    if (s.ladder) lanes_store(ladder_holds(s.ladder, &s), s.on_ladder);
     const float3 sent = stretch_radiance(scene, &s, 1, result);
     if (METHOD_IS(&medium, ADAPTIVE)) {
       stretch_rough(scene, &s, &k->rough);

@@ -47,6 +47,7 @@ typedef struct {
 } Others;
 
 struct Kinks;
+struct Ladder;
 
 // A stretch: one batch of segments of a view ray, and what is known of each.
 typedef struct {
@@ -65,6 +66,10 @@ typedef struct {
 #if BRUME_MEDIA >= 2
   floatW others[TAU_CHANNELS];  // τ of the other media up to where each begins,
   floatW beside[TAU_CHANNELS];  // and over it
+#endif
+#if BRUME_MEDIA >= 3
+  struct Ladder* ladder;  // 0: each segment asks for its own depths to the light
+  int on_ladder[W];       // and those that do though there is one
 #endif
   floatW gain[TAU_CHANNELS];   // ∫ρT over each segment: what each unit of σs S + emission in it sends to the origin
   floatW depth[TAU_CHANNELS];  // τ of all media over each

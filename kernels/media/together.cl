@@ -132,6 +132,29 @@ static inline float strands_next(const Scene* scene, Strands* all, LongSum* radi
   return awaited ? known : INFINITY;
 }
 
+// A ladder that begins where the first of the media that take light from it does.
+static inline void ladder_begin(const Scene* scene, Strands* all) {
+  Ladder* ladder = &all->ladder;
+  float cells = 0.0f;
+  ladder->media = 0;
+  ladder->begin = INFINITY;
+  for (int i = 0; scene->frame->light_ladder && i < all->count; ++i) {
+    const Strand* k = all->strand + i;
+    if (!ladder_takes(&k->medium)) continue;
+    ladder->from[ladder->media] = k->ray.t_begin;
+    ladder->until[ladder->media++] = k->ray.length;
+    ladder->begin = fmin(ladder->begin, k->ray.t_begin);
+    cells = fmax(cells, length(k->ray.dir));
+  }
+  for (int i = 0; i < ladder->media; ++i) {
+    ladder->from[i] -= ladder->begin;
+    ladder->until[i] += ladder->from[i];
+  }
+  ladder->step = ladder->media >= LADDER_MEDIA ? LADDER_CELLS / cells : 0.0f;
+  for (int l = 0; l < LADDER_LIGHTS; ++l)
+    for (int i = 0; i < LADDER_RUNGS; ++i) ladder->number[l][i] = INT_MIN;
+}
+
 // The media from *m on, as many as are walked together; *m becomes the next one.
 static inline void strands_begin(const Scene* scene, Strands* all, int* m, float3 origin, float3 dir, float t_max,
                                  Random random) {
@@ -147,6 +170,7 @@ static inline void strands_begin(const Scene* scene, Strands* all, int* m, float
     weaken += tau_max(all->strand[i].sigma_t) > 0.0f;
     all->window.end = fmin(all->window.end, all->strand[i].ray.t_begin);
   }
+  ladder_begin(scene, all);
   for (int i = 0; i < all->count; ++i) all->strand[i].asks = weaken > (tau_max(all->strand[i].sigma_t) > 0.0f);
 }
 

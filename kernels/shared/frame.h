@@ -43,7 +43,8 @@ typedef struct {
   int starts_inside;      // 1: camera rays may begin inside of shapes that refract
   int instance_root;      // of the BVH over the instances; -1: there are none
   int shape_root;         // of the BVH over shapes; -1: all of them are in shape_list
+  int light_ladder;       // 1: where several media stand on one spot, depths to the lights are interpolated
 } Frame;
-BRUME_LAYOUT(Frame, 208);
+BRUME_LAYOUT(Frame, 212);
 BRUME_SHARED_END
 #endif

@@ -10,11 +10,11 @@
   STRUCT(Packed3, F(x) F(y) F(z))                                                                                      \
   STRUCT(Affine, F(m))                                                                                                 \
   STRUCT(Camera, F(axis) F(type) F(forward) F(width) F(right) F(height) F(up) F(spp) F(back))                          \
-  STRUCT(Frame,                                                                                                        \
-         F(camera) F(background) F(light_count) F(ambient) F(list_count) F(medium_count) F(triangle_count) F(seed)     \
-             F(in_scattering) F(max_depth) F(roulette) F(takes_ends) F(crop_x0) F(crop_y0) F(crop_x1) F(crop_y1)       \
-                 F(bounds_lo) F(bounds_hi) F(light_picks) F(directions) F(occlusion_reach) F(occlusion_rotates)        \
-                     F(hides_background) F(cutoff) F(clear_shadows) F(starts_inside) F(instance_root) F(shape_root))   \
+  STRUCT(Frame, F(camera) F(background) F(light_count) F(ambient) F(list_count) F(medium_count) F(triangle_count)      \
+                    F(seed) F(in_scattering) F(max_depth) F(roulette) F(takes_ends) F(crop_x0) F(crop_y0) F(crop_x1)   \
+                        F(crop_y1) F(bounds_lo) F(bounds_hi) F(light_picks) F(directions) F(occlusion_reach)           \
+                            F(occlusion_rotates) F(hides_background) F(cutoff) F(clear_shadows) F(starts_inside)       \
+                                F(instance_root) F(shape_root) F(light_ladder))                                        \
   STRUCT(Light, F(position) F(type) F(direction) F(falloff) F(intensity) F(outer) F(inner) F(exponent) F(primitive)    \
                     F(instance) F(point) F(points))                                                                    \
   STRUCT(LightGrid, F(grid_from_cell) F(cell_from_grid) F(nu) F(nv) F(nk) F(offset) F(slope_u) F(slope_v)              \

@@ -18,6 +18,9 @@
 #define LIGHT_PICKS 32
 #define LIGHT_PICKS_MAX 65536
 
+// Of so many at most depths are interpolated where several media stand on one spot (kernels/media/ladder.cl).
+#define LADDER_LIGHTS 4
+
 #define BRUME_FALLOFFS(ROW)                                   \
   ROW(INVERSE_SQUARE, "inverse_square", "E = intensity / d²") \
   ROW(NONE, "none", "E = intensity at any distance")

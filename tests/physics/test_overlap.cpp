@@ -1,6 +1,8 @@
 // Media on one spot: kernels against the reference for every method, and what another medium costs.
 #include <string>
 
+#include "film/film_compare.hpp"
+#include "film/film_write.hpp"
 #include "physics/closed_form.hpp"
 #include "render/kernel_options.hpp"
 #include "scene/families.hpp"
@@ -45,6 +47,42 @@ TEST(Overlap, FourTurnedBoxesByEveryMethod) {
     const std::string render = R"({"step": 0.11, "method": ")" + std::string(method.name) + "\"}";
     expect_as_reference(boxes_scene(4, nearest + R"("sigma_a": [0.1, 0.2, 0.3], "sigma_s": 1)", render), {4, 16},
                         std::string(method.name));
+  }
+}
+
+// Depths to the lights are interpolated where two media and more scatter on one spot, but beside a lamp and where they
+// are dense; by each rule the places at which they are taken are others.
+TEST(Overlap, LightOfBoxesByEveryRule) {
+  const std::string lamp = R"("lights": [{"type": "point", "position": [0.2, 0.1, 0.3], "intensity": 2}, )";
+  for (const std::string sigma_s : {"0.1", "1", "40"})
+    for (const FamilyRow& rule : in_scattering_family()) {
+      const std::string medium = R"("sigma_a": [0.1, 0.2, 0.3], "sigma_s": )" + sigma_s;
+      std::string scene = boxes_scene(3, medium, R"({"in_scattering": ")" + std::string(rule.name) + "\"}");
+      EXPECT_TRUE(flat_of(scene).frame.light_ladder);
+      scene.replace(scene.find(R"("lights": [)"), 11, lamp);
+      expect_as_reference(scene, {1, 16}, std::string(rule.name) + ", sigma_s " + sigma_s);
+    }
+}
+
+// Against the exact integral, and seen from afar.
+TEST(Overlap, LightOfBoxesIsNearTheIntegral) {
+  for (const double afar : {1.0, 1000.0}) {
+    std::string scene = boxes_scene(4, R"("sigma_s": 1)", "{}");
+    const std::string eye = "[1.7, 1.25, 3.9]", fov = R"("vfov": 40)";
+    const auto number = [](double x) { return std::to_string(x); };
+    scene.replace(scene.find(eye), eye.size(),
+                  "[" + number(1.7 * afar) + "," + number(1.25 * afar) + "," + number(3.9 * afar) + "]");
+    scene.replace(scene.find(fov), fov.size(), R"("vfov": )" + number(40 / afar));
+    const PlannedScene flat = flat_of(scene);
+    Film exact({12, 12});
+    reference::render(flat, exact, {3, 0});
+    PlannedScene own = flat;
+    own.frame.light_ladder = 0;
+    const auto error = [&](const PlannedScene& planned) {
+      return image_compare(film_image(render_film(pocl(), planned, 16)), film_image(exact)).rel_rmse;
+    };
+    EXPECT_LE(error(own), 2.5e-3) << afar;  // cells are rough, and the other media's depth is taken evenly over each
+    EXPECT_LE(error(flat), 1.5 * error(own)) << afar;
   }
 }
 
@@ -154,6 +192,17 @@ TEST(Overlap, LookupsGrowAsTheNumberOfMedia) {
     EXPECT_LE(four, 2.5 * one) << render;
     EXPECT_LE(sixteen, 4.2 * four) << render;
   }
+}
+
+// Shadow rays ask all media, from places that all media share.
+TEST(Overlap, LookupsOfLightGrowAsTheNumberOfMedia) {
+  const auto lit = [](int count) {
+    return lookups_of(flat_of(boxes_scene(count, R"("sigma_s": )" + std::to_string(1.6 / count), "{}")));
+  };
+  const double one = lit(1);
+  for (const int count : {2, 4}) EXPECT_LE(lit(count), count * one) << count;
+  // in cells as rough as these some segments still ask for themselves
+  for (const int count : {8, 16}) EXPECT_LE(lit(count), 2 * count * one) << count;
 }
 
 // Glow is cut where the others are deep beside it, into 8 parts at most.

@@ -29,8 +29,8 @@ struct MitsubaRun {
 };
 std::optional<MitsubaRun> mitsuba_run(const Workload& work, const std::filesystem::path& folder);
 
-// VTK's ray caster on the CPU (vtkFixedPointVolumeRayCastMapper, numbers of 15 bits) on a workload that only absorbs, in
-// steps of one voxel, where the Python that BRUME_PYTHON names has it. Nothing where it is not installed.
+// VTK's ray caster on the CPU (vtkFixedPointVolumeRayCastMapper, numbers of 15 bits) on a workload that only absorbs,
+// in steps of one voxel, where the Python that BRUME_PYTHON names has it. Nothing where it is not installed.
 struct VtkRun {
   std::vector<double> seconds;  // of each run, after one that prepares; without showing the picture
   Image transmittance;          // in each channel

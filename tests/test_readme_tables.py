@@ -43,6 +43,7 @@ class ReadmeTablesTest(unittest.TestCase):
         self.assertEqual(methods[2], "| `--method auto --shadow trace` | 0.05 s | exact | 0.05 s | exact |")
         self.assertEqual(methods[3], "| `dda_midpoint`, light traced | 1.1 s | 0.03 % | 1.1 s | 0.03 % |")
         self.assertEqual(methods[10], "| Mitsuba 3.9, volpath, LLVM, 64 samples | 8.1 s | 2.2 % | 8.1 s | 2.2 % |")
+        self.assertEqual(TOOL.error_text(4e-5), "< 0.01 %")
         self.assertEqual(made.light_grids()[0], "| cells along the longest side | 16 | 32 | 64 | 128 | 256 |")
         self.assertTrue(made.light_grids()[2].startswith("| fog | 2.8 %, 9.1 s | 3.4 %, 10.1 s |"))
         absorption = made.table(TOOL.ABSORPTION, TOOL.milliseconds_text)

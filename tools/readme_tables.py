@@ -39,6 +39,8 @@ def error_text(rel_rmse):
     percent = 100 * rel_rmse
     if percent == 0:
         return "exact"
+    if percent < 0.005:
+        return "< 0.01 %"
     return f"{percent:.0f} %" if percent >= 10 else f"{percent:.1f} %" if percent >= 0.995 else f"{percent:.2f} %"
 
 

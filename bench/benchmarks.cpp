@@ -10,6 +10,7 @@
 #include <optional>
 #include <sstream>
 
+#include "absorb_bench.hpp"
 #include "base/error.hpp"
 #include "base/interrupt.hpp"
 #include "base/stopwatch.hpp"
@@ -25,7 +26,7 @@ namespace brume::bench {
 
 namespace {
 
-constexpr int RAY_RUNS = 5;  // for each of other benchmarks
+constexpr int QUICK_RUNS = 5;  // of what takes milliseconds, for each of other benchmarks
 
 void render_benchmark(::benchmark::State& state, const DeviceInfo& device, const Workload& work,
                       const Setting& setting) {
@@ -179,9 +180,12 @@ std::vector<Row> benchmarks_run(const DeviceInfo& device, const std::vector<Work
   for (const SceneCase& scene : scenes)
     add("scene/" + scene.name, options.repetitions,
         [&](::benchmark::State& state) { scene_benchmark(state, device, scene, workloads.front().desc.film.size); });
-  const int ray_runs = RAY_RUNS * options.repetitions;  // of some 10 ms each
-  for (const RayBench& bench : ray_benches(device, folder, ray_runs, options.peers))
-    add(bench.name, ray_runs, bench.measure);
+  const int quick_runs = QUICK_RUNS * options.repetitions;
+  for (const Workload& work : workloads)
+    for (const Bench& bench : absorb_benches(device, work, folder, quick_runs, options.peers))
+      add(bench.name, quick_runs, bench.measure);
+  for (const Bench& bench : ray_benches(device, folder, quick_runs, options.peers))
+    add(bench.name, quick_runs, bench.measure);
   RowReporter reporter(begin, report);
   std::ostringstream complaints;  // of a filter that is none, or that nothing matches
   reporter.SetErrorStream(&complaints);

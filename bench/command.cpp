@@ -155,7 +155,7 @@ void command_bench(CLI::App& app, Command& run) {
                    "Runs of each, of those that trace light a third; the median counts")
       ->check(CLI::Range(1, 100));
   command->add_flag("--peers", options.peers,
-                    "Run vdb_render and Mitsuba on the same work too, where they are installed");
+                    "Run vdb_render, Mitsuba, VTK and Embree on the same work too, where they are installed");
   command
       ->add_option("--compare", arguments->compare,
                    "Measure nothing: what changed from one --json to another by more than its noise")

@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "image/image.hpp"
 #include "workload.hpp"
 
 namespace brume::bench {
@@ -26,6 +28,14 @@ struct MitsubaRun {
   std::filesystem::path pictures[2];
 };
 std::optional<MitsubaRun> mitsuba_run(const Workload& work, const std::filesystem::path& folder);
+
+// VTK's ray caster on the CPU (vtkFixedPointVolumeRayCastMapper, numbers of 15 bits) on a workload that only absorbs,
+// in steps of one voxel, where the Python that BRUME_PYTHON names has it. Nothing where it is not installed.
+struct VtkRun {
+  std::vector<double> seconds;  // of each run, after one that prepares; without showing the picture
+  Image transmittance;          // in each channel
+};
+std::optional<VtkRun> vtk_run(const Workload& work, int threads, int runs, const std::filesystem::path& folder);
 
 // This program as another process on a scene file that is written to `folder`, kernels cached by an earlier run:
 // seconds from its start to its end, the picture written. Nothing when it fails.

@@ -92,49 +92,15 @@ std::vector<double> Meshes::run(const RayMesh& mesh, std::size_t kind, double& h
   return seconds;
 }
 
-// Runs are measured all at once and told one by one.
-class Runs {
- public:
-  using Measure = std::function<std::vector<double>()>;
-  explicit Runs(Measure measure) : measure_(std::move(measure)) {}
-
-  void tell(::benchmark::State& state) {
-    if (next_ == seconds_.size()) {
-      seconds_ = measure_();
-      next_ = 0;
-    }
-    if (seconds_.empty()) return state.SkipWithError("no Embree here (libembree-dev when brume was built)");
-    for (auto unused : state) {
-      (void)unused;
-      state.SetIterationTime(seconds_[next_]);
-    }
-    ++next_;
-  }
-
- private:
-  Measure measure_;
-  std::vector<double> seconds_;
-  std::size_t next_ = 0;
-};
-
 double rays_of(const RayWork& work, std::size_t kind) {
   const std::size_t rays = work.rays.rays[kind].size() / RAY_FLOATS;
   return static_cast<double>(rays);
 }
 
-using Counters = std::map<std::string, double>;
+constexpr const char* NO_EMBREE = "no Embree here (libembree-dev when brume was built)";
 
-RayBench bench_of(const std::string& name, const std::function<std::vector<double>(Counters&)>& measure) {
-  const auto counters = std::make_shared<Counters>();
-  const auto runs = std::make_shared<Runs>([=] { return measure(*counters); });
-  return {name, [=](::benchmark::State& state) {
-            runs->tell(state);
-            for (const auto& [key, value] : *counters) state.counters[key] = value;
-          }};
-}
-
-RayBench build_bench(const std::shared_ptr<Meshes>& meshes, const RayMesh& mesh) {
-  return bench_of(std::string("rays/") + mesh.name + "/build", [=](Counters& counters) {
+Bench build_bench(const std::shared_ptr<Meshes>& meshes, const RayMesh& mesh) {
+  return bench_of(std::string("rays/") + mesh.name + "/build", "", [=](Counters& counters) {
     const PlannedScene& scene = meshes->work(mesh).scene;
     std::vector<double> seconds;
     for (int run = 0; run < meshes->repetitions(); ++run) {
@@ -147,18 +113,18 @@ RayBench build_bench(const std::shared_ptr<Meshes>& meshes, const RayMesh& mesh)
   });
 }
 
-RayBench kind_bench(const std::shared_ptr<Meshes>& meshes, const RayMesh& mesh, std::size_t kind) {
-  return bench_of(std::string("rays/") + mesh.name + "/" + RAY_KINDS[kind].name, [=](Counters& counters) {
+Bench kind_bench(const std::shared_ptr<Meshes>& meshes, const RayMesh& mesh, std::size_t kind) {
+  return bench_of(std::string("rays/") + mesh.name + "/" + RAY_KINDS[kind].name, "", [=](Counters& counters) {
     counters["rays"] = rays_of(meshes->work(mesh), kind);
     return meshes->run(mesh, kind, counters["hits"]);
   });
 }
 
 // kind: of RAY_KINDS; beyond them the build.
-RayBench peer_bench(const std::shared_ptr<Meshes>& meshes, const RayMesh& mesh, std::size_t kind) {
+Bench peer_bench(const std::shared_ptr<Meshes>& meshes, const RayMesh& mesh, std::size_t kind) {
   const bool build = kind == std::size(RAY_KINDS);
   const std::string row = build ? "build" : RAY_KINDS[kind].name;
-  return bench_of(std::string("peer/") + mesh.name + "/embree/" + row, [=](Counters& counters) {
+  return bench_of(std::string("peer/") + mesh.name + "/embree/" + row, NO_EMBREE, [=](Counters& counters) {
     const PeerRows& rows = meshes->peer(mesh);
     const auto found = rows.find(row);
     if (found == rows.end()) return std::vector<double>();
@@ -172,10 +138,10 @@ RayBench peer_bench(const std::shared_ptr<Meshes>& meshes, const RayMesh& mesh, 
 
 }  // namespace
 
-std::vector<RayBench> ray_benches(const DeviceInfo& device, const std::filesystem::path& folder, int repetitions,
-                                  bool peers) {
+std::vector<Bench> ray_benches(const DeviceInfo& device, const std::filesystem::path& folder, int repetitions,
+                               bool peers) {
   const auto meshes = std::make_shared<Meshes>(device, folder, repetitions);
-  std::vector<RayBench> benches;
+  std::vector<Bench> benches;
   for (const RayMesh& mesh : ray_meshes()) {
     benches.push_back(build_bench(meshes, mesh));
     for (std::size_t kind = 0; kind < std::size(RAY_KINDS); ++kind) benches.push_back(kind_bench(meshes, mesh, kind));

@@ -20,7 +20,8 @@ TOOL = tool()
 
 
 def names(work):
-    return [name.format(work) for name in list(TOOL.METHODS.values()) + [TOOL.GRID % n for n in TOOL.GRIDS]]
+    benchmarks = list(TOOL.METHODS.values()) + [TOOL.GRID % n for n in TOOL.GRIDS] + list(TOOL.ABSORPTION.values())
+    return [name.format(work) for name in benchmarks]
 
 
 def results(left_out=()):
@@ -37,20 +38,23 @@ def block(text, name):
 class ReadmeTablesTest(unittest.TestCase):
     def test_cells(self):
         made = TOOL.Results(results())
-        methods = made.methods()
+        methods = made.table(TOOL.METHODS)
         self.assertEqual(methods[0], "| | fog | | plume | |")
         self.assertEqual(methods[2], "| `--method auto --shadow trace` | 0.05 s | exact | 0.05 s | exact |")
         self.assertEqual(methods[3], "| `dda_midpoint`, light traced | 1.1 s | 0.03 % | 1.1 s | 0.03 % |")
         self.assertEqual(methods[10], "| Mitsuba 3.9, volpath, LLVM, 64 samples | 8.1 s | 2.2 % | 8.1 s | 2.2 % |")
+        self.assertEqual(TOOL.error_text(4e-5), "< 0.01 %")
         self.assertEqual(made.light_grids()[0], "| cells along the longest side | 16 | 32 | 64 | 128 | 256 |")
         self.assertTrue(made.light_grids()[2].startswith("| fog | 2.8 %, 9.1 s | 3.4 %, 10.1 s |"))
+        absorption = made.table(TOOL.ABSORPTION, TOOL.milliseconds_text)
+        self.assertEqual(absorption[5], "| `dda_gauss2` | 17051 ms | 9.8 % | 17051 ms | 9.8 % |")
         self.assertEqual(made.measured(),
                          ["512², one sample per pixel, 2 cores, 8 lanes, PoCL 3.1, brume 1.2 (abc)."])
         self.assertEqual(made.missing, [])
 
     def test_rows_without_results_are_left_out_and_told(self):
         made = TOOL.Results(results(["peer/smoke/mitsuba_64spp", TOOL.GRID.format("fog128") % 16]))
-        self.assertEqual(len(made.methods()), 2 + len(TOOL.METHODS) - 1)
+        self.assertEqual(len(made.table(TOOL.METHODS)), 2 + len(TOOL.METHODS) - 1)
         self.assertEqual(made.light_grids()[0], "| cells along the longest side | 32 | 64 | 128 | 256 |")
         self.assertEqual(made.missing, ["peer/smoke/mitsuba_64spp", "render/fog128/dda_midpoint/grid16"])
 
@@ -66,6 +70,16 @@ class ReadmeTablesTest(unittest.TestCase):
         outside = re.compile(r"<!-- bench.*?<!-- end -->", re.DOTALL)
         self.assertEqual(outside.sub("", text), outside.sub("", readme))
 
+    def test_tables_without_results_stay(self):
+        absorption = list(TOOL.ABSORPTION.values())
+        others = [name for work in TOOL.WORKLOADS.values() for name in names(work)
+                  if name not in [row.format(work) for row in absorption]]
+        self.assertEqual(list(TOOL.Results(results(others)).blocks()), ["absorption"])
+        readme = (ROOT / "README.md").read_text(encoding="utf-8")
+        text = TOOL.filled(readme, TOOL.Results(results(others)).blocks())
+        self.assertEqual(block(text, "methods"), block(readme, "methods"))
+        self.assertIn("| `dda_gauss2` | 17051 ms | 9.8 % | 17051 ms | 9.8 % |", block(text, "absorption"))
+
     def test_marks_that_are_missing_are_an_error(self):
         with self.assertRaisesRegex(ValueError, "expected one line '<!-- bench: methods -->'"):
             TOOL.filled("no marks", {"methods": []})
@@ -77,7 +91,7 @@ class ReadmeTablesTest(unittest.TestCase):
         for name in names("{}"):
             kind, _, setting = name.split("/", 2)
             self.assertIn(f'"{kind}/"', sources)
-            self.assertIn(f'"{setting}"' if kind == "render" else f'/{setting}"', sources)
+            self.assertIn(f'/{setting}"' if kind == "peer" else f'"{setting}"', sources)
         for work in TOOL.WORKLOADS.values():
             self.assertIn(f'workload("{work}"', sources)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes README's tables of times and errors from `brume bench --json`: readme_tables.py BENCH.json [README.md]. They
 stand between lines `<!-- bench: NAME -->` and `<!-- end -->`. Rows that the file has no results for are left out, and
-told."""
+told; a table of which it has none stays as it is."""
 import json
 import sys
 from pathlib import Path
@@ -23,6 +23,13 @@ METHODS = {
 GRIDS = (16, 32, 64, 128, 256)
 GRID = "render/{}/dda_midpoint/grid%d"
 
+ABSORPTION = {
+    "VTK 9.7, `vtkFixedPointVolumeRayCastMapper`, steps of 1 voxel": "peer/{}/vtk",
+    "`march_midpoint`, steps of 1 voxel": "absorb/{}/march_midpoint_1",
+    "`dda_midpoint`": "absorb/{}/dda_midpoint",
+    "`dda_gauss2`": "absorb/{}/dda_gauss2",
+}
+
 
 def seconds_text(seconds):
     return f"{seconds:.1f} s" if seconds >= 1 else f"{seconds:.2f} s"
@@ -32,7 +39,13 @@ def error_text(rel_rmse):
     percent = 100 * rel_rmse
     if percent == 0:
         return "exact"
+    if percent < 0.005:
+        return "< 0.01 %"
     return f"{percent:.0f} %" if percent >= 10 else f"{percent:.1f} %" if percent >= 0.995 else f"{percent:.2f} %"
+
+
+def milliseconds_text(seconds):
+    return f"{1000 * seconds:.0f} ms"
 
 
 class Results:
@@ -41,19 +54,19 @@ class Results:
         self.rows = {row["name"]: row for row in results["benchmarks"] if "failure" not in row}
         self.missing = []
 
-    def cells(self, benchmark):
+    def cells(self, benchmark, time_text=seconds_text):
         """(time, error) on each workload; None, and told, where one is missing."""
         names = [benchmark.format(work) for work in WORKLOADS.values()]
         self.missing += [name for name in names if name not in self.rows]
         if any(name not in self.rows for name in names):
             return None
         rows = [self.rows[name] for name in names]
-        return [(seconds_text(row["median"]), error_text(row["rel_rmse"])) for row in rows]
+        return [(time_text(row["median"]), error_text(row["rel_rmse"])) for row in rows]
 
-    def methods(self):
+    def table(self, benchmarks, time_text=seconds_text):
         lines = ["| | " + " | | ".join(WORKLOADS) + " | |", "|---" * (1 + 2 * len(WORKLOADS)) + "|"]
-        for label, benchmark in METHODS.items():
-            cells = self.cells(benchmark)
+        for label, benchmark in benchmarks.items():
+            cells = self.cells(benchmark, time_text)
             if cells:
                 lines.append(" | ".join([f"| {label}"] + [text for cell in cells for text in cell]) + " |")
         return lines
@@ -76,7 +89,17 @@ class Results:
                 f"{r['version']}."]
 
     def blocks(self):
-        return {"measured": self.measured(), "methods": self.methods(), "light grids": self.light_grids()}
+        """Of tables for which there are results."""
+        methods, grids = self.table(METHODS), self.light_grids()
+        absorption = self.table(ABSORPTION, milliseconds_text)
+        blocks = {}
+        if len(methods) > 2:
+            blocks.update({"measured": self.measured(), "methods": methods})
+        if grids[0].count("|") > 2:
+            blocks["light grids"] = grids
+        if len(absorption) > 2:
+            blocks["absorption"] = self.measured() + [""] + absorption
+        return blocks
 
 
 def filled(text, blocks):

@@ -123,6 +123,31 @@ TEST_F(Bench, MeasuresARowForEachBenchmark) {
   expect_refused("bench --size 16 --filter nothing_4711", 2, "--filter: no benchmark matches 'nothing_4711'");
 }
 
+// What only absorbs is held against VTK: the same picture to a percent where that is, else the row says what is missing.
+TEST_F(Bench, AbsorbsBesideVtk) {
+  const std::string filter = " --size 32 --repetitions 1 --filter 'absorb/fog128/|peer/fog128/vtk' ";
+  const Outcome r = run("bench --peers" + filter + "--json out.json");
+  ASSERT_EQ(r.exit_code, 0) << r.err;
+  std::map<std::string, Json> rows;
+  const Json json = Json::parse(text(folder_ / "out.json"));
+  for (const Json& row : json["benchmarks"]) rows[row["name"]] = row;
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows["absorb/fog128/dda_gauss2"]["rel_rmse"], 0);
+  for (const char* name : {"dda_midpoint", "march_midpoint_1"}) {
+    const Json& row = rows[std::string("absorb/fog128/") + name];
+    EXPECT_EQ(row["seconds"].size(), 5u) << name;
+    EXPECT_GT(row["rel_rmse"], 0) << name;
+    EXPECT_LT(row["rel_rmse"], 1e-4) << name;
+    EXPECT_GT(row["lookups"], 0) << name;
+  }
+  const Json& vtk = rows["peer/fog128/vtk"];
+  if (!vtk.contains("failure")) EXPECT_EQ(vtk["seconds"].size(), 5u);
+  if (!vtk.contains("failure")) EXPECT_LT(vtk["rel_rmse"], 0.01);
+  const Outcome without = run("bench --peers" + filter, "BRUME_PYTHON=/bin/false");
+  EXPECT_EQ(without.exit_code, 0) << without.err;
+  EXPECT_THAT(without.out, HasSubstr("no VTK here (BRUME_PYTHON names a Python that has it)"));
+}
+
 TEST_F(Bench, LongKernelsOfASceneAreHeldAgainstGenericOnes) {
   write("a.json", R"({"lights": [{"type": "directional", "direction": [0, -1, 0], "irradiance": 1}],
     "media": [{"density": {"type": "perlin", "resolution": [8, 8, 8]}, "sigma_a": 1, "sigma_s": 1}]})");

@@ -1,7 +1,7 @@
 // See pocl_compiler.hpp. PoCL has the library parsed by llvm::parseIRFile and finds functions in it by
 // llvm::Module::getFunction; for a kernel it asks llvm::PassManagerBuilder for passes, twice into one list that it
 // keeps. A program that exports all three (cmake/exported_symbols.list) is asked before LLVM: here the file is opened
-// lazily, a function is read when it is looked up, and the list gets its passes once. The names are those of LLVM 15; a
+// lazily, a function is read when it is looked up, and the list gets its passes the second time. The names are those of LLVM 15; a
 // driver that is linked with another one never calls them.
 #include "cl/pocl_compiler.hpp"
 
@@ -98,12 +98,12 @@ void* builtin_get_function(const void* module, StringRef name) {
 
 void passes_add(void* builder, void* passes) __asm__(ADD_PASSES);
 void passes_add(void* builder, void* passes) {
-  static const void* given = nullptr;  // the list that has been given its passes once
+  static const void* waits = nullptr;  // the list that has been asked for once
   const void* const caller = __builtin_return_address(0);
   if (known_version && is_pocl(calling_library(caller))) {
-    const bool again = given == passes;
-    given = again ? nullptr : passes;
-    if (again) return;
+    const bool again = waits == passes;
+    waits = again ? nullptr : passes;
+    if (!again) return;
   }
   if (const auto add = llvm_function<decltype(passes_add)>(ADD_PASSES, caller)) add(builder, passes);
 }

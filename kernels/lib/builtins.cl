@@ -65,25 +65,25 @@ float3 READS_NOTHING cross(float3, float3);
 size_t READS_NOTHING get_global_id(uint);
 
 // Of each width: lanes, and what takes one number for all of them.
-#define OF_LANES(n)                                             \
-  float##n READS_NOTHING fmin(float##n, float);                 \
-  float##n READS_NOTHING fmax(float##n, float);                 \
-  float##n READS_NOTHING clamp(float##n, float, float);         \
-  int##n READS_NOTHING min(int##n, int);                        \
-  int##n READS_NOTHING max(int##n, int);                        \
-  int##n READS_NOTHING clamp(int##n, int, int);                 \
-  float##n READS_NOTHING select(float##n, float##n, int##n);    \
-  int##n READS_NOTHING select(int##n, int##n, int##n);          \
-  int##n READS_NOTHING signbit(float##n);                       \
-  int##n READS_NOTHING convert_int##n(float##n);                \
-  float##n READS_NOTHING convert_float##n(int##n);              \
-  char##n READS_NOTHING convert_char##n(int##n);                \
-  float##n READS vload##n(size_t, const __private float*);      \
-  float##n READS vload##n(size_t, const __global float*);       \
-  int##n READS vload##n(size_t, const __private int*);          \
-  int##n READS vload##n(size_t, const __global int*);           \
-  void WRITES vstore##n(float##n, size_t, __private float*);    \
-  void WRITES vstore##n(float##n, size_t, __global float*);     \
+#define OF_LANES(n)                                          \
+  float##n READS_NOTHING fmin(float##n, float);              \
+  float##n READS_NOTHING fmax(float##n, float);              \
+  float##n READS_NOTHING clamp(float##n, float, float);      \
+  int##n READS_NOTHING min(int##n, int);                     \
+  int##n READS_NOTHING max(int##n, int);                     \
+  int##n READS_NOTHING clamp(int##n, int, int);              \
+  float##n READS_NOTHING select(float##n, float##n, int##n); \
+  int##n READS_NOTHING select(int##n, int##n, int##n);       \
+  int##n READS_NOTHING signbit(float##n);                    \
+  int##n READS_NOTHING convert_int##n(float##n);             \
+  float##n READS_NOTHING convert_float##n(int##n);           \
+  char##n READS_NOTHING convert_char##n(int##n);             \
+  float##n READS vload##n(size_t, const __private float*);   \
+  float##n READS vload##n(size_t, const __global float*);    \
+  int##n READS vload##n(size_t, const __private int*);       \
+  int##n READS vload##n(size_t, const __global int*);        \
+  void WRITES vstore##n(float##n, size_t, __private float*); \
+  void WRITES vstore##n(float##n, size_t, __global float*);  \
   void WRITES vstore##n(int##n, size_t, __private int*);
 OF_LANES(2)
 OF_LANES(3)

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "base/error.hpp"
-#include "cl/builtin_library.hpp"
+#include "cl/pocl_compiler.hpp"
 
 namespace brume {
 
@@ -66,7 +66,7 @@ Context::Context(const DeviceInfo& device)
       context_(device.device),
       queue_(context_, device.device, CL_QUEUE_PROFILING_ENABLE),
       allocated_(std::make_shared<std::atomic<std::size_t>>(0)) {
-  builtin_library_choose(device.platform_version);
+  pocl_compiler_choose(device.pocl_3_1);
 }
 
 cl::Event Context::launch(const cl::Kernel& kernel, std::size_t items) const {

@@ -42,6 +42,7 @@ DeviceInfo device_describe(const cl::Platform& platform, const cl::Device& devic
   info.version = device.getInfo<CL_DEVICE_VERSION>();
   info.driver = device.getInfo<CL_DRIVER_VERSION>();
   info.cpu = (device.getInfo<CL_DEVICE_TYPE>() & CL_DEVICE_TYPE_CPU) != 0;
+  info.pocl_3_1 = info.platform_version.find("PoCL 3.1") != std::string::npos;
   info.fast_fma = (device.getInfo<CL_DEVICE_SINGLE_FP_CONFIG>() & CL_FP_FMA) != 0;
   info.compute_units = static_cast<int>(device.getInfo<CL_DEVICE_MAX_COMPUTE_UNITS>());
   info.float_width = static_cast<int>(device.getInfo<CL_DEVICE_NATIVE_VECTOR_WIDTH_FLOAT>());

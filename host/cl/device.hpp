@@ -16,6 +16,7 @@ struct DeviceInfo {
   std::string platform, platform_version, name, version, driver;
   bool cpu;
   bool fast_fma;
+  bool pocl_3_1;  // of whose compiler some things are known (pocl_compiler.hpp)
   int compute_units;
   int float_width;  // native vector width in floats
   std::size_t memory_bytes, max_buffer_bytes;

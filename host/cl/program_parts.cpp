@@ -9,6 +9,7 @@
 #include <memory>
 #include <thread>
 
+#include "base/cores.hpp"
 #include "base/error.hpp"
 #include "base/hash.hpp"
 #include "base/helper_program.hpp"
@@ -79,7 +80,7 @@ bool parts_at_hand(const Context& context, const PartedSource& source, const std
 }
 
 std::filesystem::path part_program() {
-  if (runnable_now() >= static_cast<int>(std::thread::hardware_concurrency())) return {};
+  if (runnable_now() >= cores_usable()) return {};
   try {
     return helper_program_file("brume-kernels", "kernels in two parts");
   } catch (const RuntimeError&) {

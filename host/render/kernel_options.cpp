@@ -94,7 +94,8 @@ std::string kernel_options(const FlatScene& scene, const RenderPlan& plan, const
                      option_text("BVH_WIDTH", static_cast<unsigned>(scene.bvh_width)) +
                      option_text("FAST_FMA", device.fast_fma) +
                      option_text("STORAGE", static_cast<unsigned>(scene.voxels.empty() ? STORAGE_F32 : plan.storage)) +
-                     option_text("OUTLINE", device.cpu);
+                     option_text("OUTLINE", device.cpu) + option_text("BUILTINS", device.pocl_3_1);
+  if (device.pocl_3_1) text += " -D_OPENCL_H_";  // what its own header says when it has been read
   if (generic) return text;
   for (const KernelOption& option : scene_kernel_options(scene, plan)) text += option_text(option.name, option.value);
   return text;

@@ -35,14 +35,14 @@ struct PassRow {
   bool takes_scene;  // reads all of it, or nothing
 };
 // In the order of Passes::Id.
-constexpr PassRow PASSES[] = {{"presence_gradients", has_liquids, 200, true},
-                              {"light_grid", has_light_grids, 700, true},
-                              {"primary_rays", always, 250, true},
+constexpr PassRow PASSES[] = {{"presence_gradients", has_liquids, 150, true},
+                              {"light_grid", has_light_grids, 350, true},
+                              {"primary_rays", always, 180, true},
                               {"traverse_dda", always, 0, true},
-                              {"shadow_transmittance", has_surfaces, 550, true},
-                              {"shade", always, 110, true},
-                              {"secondary_rays", has_specular, 60, false},
-                              {"accumulate", always, 60, false}};
+                              {"shadow_transmittance", has_surfaces, 380, true},
+                              {"shade", always, 80, true},
+                              {"secondary_rays", has_specular, 50, false},
+                              {"accumulate", always, 50, false}};
 
 // Rays that a wave has room for, at least: what one sample may send on.
 constexpr std::size_t WAVE_LEAST = 2 * SECONDARY_RAYS_MAX;
@@ -54,7 +54,7 @@ double event_seconds(const cl::Event& event) {
                                     event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
 }
 
-constexpr int TRAVERSE_MS[] = {140, 620, 900};  // of traverse_dda: without media, with one, with several
+constexpr int TRAVERSE_MS[] = {120, 480, 760};  // of traverse_dda: without media, with one, with several
 constexpr int OTHER_BEGINS_MS = 60;             // what the program that builds the second part takes to begin
 
 using Parts = std::array<std::size_t, std::size(PASSES)>;

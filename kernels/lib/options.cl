@@ -2,6 +2,11 @@
 // host/render/kernel_options.cpp, the only place that writes -D strings, narrows them to what a scene needs.
 #ifndef BRUME_LIB_OPTIONS_CL
 #define BRUME_LIB_OPTIONS_CL
+
+#ifndef BRUME_BUILTINS  // the compiler leaves built-in functions to be declared by lib/builtins.cl
+#define BRUME_BUILTINS 0
+#endif
+#include "lib/builtins.cl"
 #include "shared/method.h"
 
 // Multiply-add is rounded once only where fma is written: kernels must not depend on what a compiler contracts.

@@ -77,8 +77,7 @@ static inline floatW growth_second(const Growth* g) {
 #define HAS_LIT_STEPS(scene, medium) (IN_SCATTERING_IS(scene, GAUSS2) && RULE_IS(medium, PRODUCT))
 
 // 0: the ray misses the medium, or nothing comes of it.
-static inline int strand_begin(const Scene* scene, Strand* k, int m, float3 origin, float3 dir, float t_max,
-                               Random random) {
+OUTLINED int strand_begin(const Scene* scene, Strand* k, int m, float3 origin, float3 dir, float t_max, Random random) {
   k->medium = scene->media[m];
   k->ray = medium_ray(&k->medium, origin, dir, t_max);
   k->sigma_t = medium_sigma_t(&k->medium);
@@ -150,7 +149,7 @@ static inline void strand_grow(const Scene* scene, Strand* k) {
 }
 
 // The next batch.
-static inline void strand_fill(const Scene* scene, Strand* k, uint* lookups) {
+OUTLINED void strand_fill(const Scene* scene, Strand* k, uint* lookups) {
   k->known = INFINITY;
   k->next = k->marks = 0;
   if (k->ended) return;

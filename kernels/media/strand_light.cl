@@ -89,8 +89,7 @@ static inline int strand_parts_others(const Strands* all, const Strand* k, Stret
 
 // What the batch sends to the origin, or the parts of it where it is dense. What light asks for again and again is
 // copied: in an array of strands the compiler cannot keep it in registers.
-static inline void strand_scatter(const Scene* scene, Strands* all, Strand* k, LongSum* radiance,
-                                  MediumResult* result) {
+OUTLINED void strand_scatter(const Scene* scene, Strands* all, Strand* k, LongSum* radiance, MediumResult* result) {
   const Medium medium = k->medium;
   const MediumRay ray = k->ray;
   Stretch s = k->stretch;

@@ -62,7 +62,7 @@ static inline floatW strand_depth(const Strand* k, floatW at, float end, int* pi
 }
 
 // τ of the other media at W marks, those of the window from `first` on. The last ones take the media along.
-static inline void window_depths(Strands* all, int first) {
+OUTLINED void window_depths(Strands* all, int first) {
   const Window* w = &all->window;
   const floatW s = lanes_load(w->s + first), t_begin = lanes_load(w->t_begin + first);
   const intW strand = lanes_load(w->strand + first);

@@ -31,18 +31,15 @@ static inline float3 light_grid_cell_size(const LightGrid* grid) {
 }
 
 // Item = column, of a light without columns = point. Of a column the first point in the box is traced to the light,
-// each other one to the point before. Items [first, count) are those of this launch.
-__kernel void light_grid(SCENE_ARGS, int medium, int light_index, uint first, uint count, __global float* out) {
-  const uint item = first + (uint)get_global_id(0);
-  if (item >= count) return;
-  const Scene scene = SCENE_PACK;
-  const Medium m = media[medium];
-  const LightGrid grid = light_grids[m.light_grids + light_index];
+// each other one to the point before.
+OUTLINED void light_grid_fill(const Scene* scene, int medium, int light_index, uint item, __global float* out) {
+  const Medium m = scene->media[medium];
+  const LightGrid grid = scene->light_grids[m.light_grids + light_index];
   const int columns = grid.columns_u * grid.columns_v, column = (int)item % columns;
   const int u = grid.first_u + column % grid.columns_u, v = grid.first_v + column / grid.columns_u;
   const int along = grid.column_step > 0.0f, planes = along ? grid.nk : 1;
   const float margin = along ? 1.0f : 0.0f;
-  const Random random = random_begin(frame, (uint)column, (uint)light_index);
+  const Random random = random_begin(scene->frame, (uint)column, (uint)light_index);
   const float3 near = light_grid_cell_size(&grid) * 1.001f;
   Tau tau = (Tau)(0.0f);
   int known = 0;  // tau is that of the point before, behind which this one lies along the light
@@ -58,12 +55,12 @@ __kernel void light_grid(SCENE_ARGS, int medium, int light_index, uint first, ui
     const float3 at = (float3)(light_grid_inside(u, grid.slope_u, k, grid.nu, margin, &moved),
                                light_grid_inside(v, grid.slope_v, k, grid.nv, margin, &moved), (float)k);
     const float3 p = affine_point(&grid.cell_from_grid, at), point = affine_point(&m.world_from_cell, p);
-    const LightSample light = light_sample(&scene, light_index, point, random);
+    const LightSample light = light_sample(scene, light_index, point, random);
     known = known && !moved;
     if (!known) tau = (Tau)(0.0f);
     // Points on which no other builds are left out where nothing is looked up.
-    if (vec_max(light.irradiance) > 0.0f && ((along && !moved) || grid.media > 1 || bricks_near(&scene, &m, p, near)))
-      tau += media_tau(&scene, -1, point, -light.travel, known ? grid.column_step : light.distance,
+    if (vec_max(light.irradiance) > 0.0f && ((along && !moved) || grid.media > 1 || bricks_near(scene, &m, p, near)))
+      tau += media_tau(scene, -1, point, -light.travel, known ? grid.column_step : light.distance,
                        random_stream(random, (uint)k), &lookups);
     tau = fmin(tau, (Tau)(TAU_STOP));  // behind which walks end, sooner or later
     known = along && !moved;
@@ -75,4 +72,12 @@ __kernel void light_grid(SCENE_ARGS, int medium, int light_index, uint first, ui
     for (int c = 0; c < TAU_CHANNELS; ++c)
       out[light_grid_first(&grid, c) + (k * grid.nv + iv) * grid.nu + iu] = channels[c];
   }
+}
+
+// Items [first, count) are those of this launch.
+__kernel void light_grid(SCENE_ARGS, int medium, int light_index, uint first, uint count, __global float* out) {
+  const uint item = first + (uint)get_global_id(0);
+  if (item >= count) return;
+  const Scene scene = SCENE_PACK;
+  light_grid_fill(&scene, medium, light_index, item, out);
 }

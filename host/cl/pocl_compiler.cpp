@@ -1,8 +1,9 @@
-// See builtin_library.hpp. PoCL has the library parsed by llvm::parseIRFile and finds functions in it by
-// llvm::Module::getFunction. A program that exports both (cmake/exported_symbols.list) is asked before LLVM: here the
-// file is opened lazily, and a function is read when it is looked up. The names are those of LLVM 15; a driver that is
-// linked with another one never calls them.
-#include "cl/builtin_library.hpp"
+// See pocl_compiler.hpp. PoCL has the library parsed by llvm::parseIRFile and finds functions in it by
+// llvm::Module::getFunction; for a kernel it asks llvm::PassManagerBuilder for passes, twice into one list that it
+// keeps. A program that exports all three (cmake/exported_symbols.list) is asked before LLVM: here the file is opened
+// lazily, a function is read when it is looked up, and the list gets its passes the second time. The names are those of LLVM 15; a
+// driver that is linked with another one never calls them.
+#include "cl/pocl_compiler.hpp"
 
 #include <dlfcn.h>
 
@@ -16,6 +17,7 @@
   "1112basic_stringIcSt11char_traitsIcESaIcEEEEES0_EEE"
 #define OPEN_LAZILY "_ZN4llvm19getLazyIRFileModuleENS_9StringRefERNS_12SMDiagnosticERNS_11LLVMContextEb"
 #define GET_FUNCTION "_ZNK4llvm6Module11getFunctionENS_9StringRefE"
+#define ADD_PASSES "_ZN4llvm18PassManagerBuilder25populateModulePassManagerERNS_6legacy15PassManagerBaseE"
 #define READ_BODY "_ZN4llvm11GlobalValue11materializeEv"
 
 namespace brume {
@@ -43,12 +45,21 @@ struct Returned {
   std::uintptr_t held = 0;
 };
 
+// Null where it is unknown.
+const char* calling_library(const void* caller) {
+  Dl_info library{};
+  return ::dladdr(caller, &library) != 0 ? library.dli_fname : nullptr;
+}
+
+bool is_pocl(const char* library) {
+  return library != nullptr && std::string_view(library).find("libpocl") != std::string_view::npos;
+}
+
 // LLVM's own, in what the calling library is linked with: not the program itself, and each driver with its own version.
 template <class Function>
 Function* llvm_function(const char* name, const void* caller) {
-  Dl_info driver{};
-  if (::dladdr(caller, &driver) == 0) return nullptr;
-  void* const library = ::dlopen(driver.dli_fname, RTLD_LAZY | RTLD_NOLOAD);
+  const char* const name_of_caller = calling_library(caller);
+  void* const library = name_of_caller != nullptr ? ::dlopen(name_of_caller, RTLD_LAZY | RTLD_NOLOAD) : nullptr;
   return reinterpret_cast<Function*>(library != nullptr ? ::dlsym(library, name) : nullptr);
 }
 
@@ -61,9 +72,7 @@ bool failed(const Returned& error) { return (error.held & ~std::uintptr_t(1)) !=
 
 }  // namespace
 
-void builtin_library_choose(const std::string& platform_version) {
-  known_version = platform_version.find("PoCL 3.1") != std::string::npos;
-}
+void pocl_compiler_choose(bool pocl_3_1) { known_version = pocl_3_1; }
 
 extern "C" {
 
@@ -85,6 +94,18 @@ void* builtin_get_function(const void* module, StringRef name) {
   const auto read = llvm_function<Returned(void*)>(READ_BODY, caller);
   if (read != nullptr && failed(read(function))) std::abort();
   return function;
+}
+
+void passes_add(void* builder, void* passes) __asm__(ADD_PASSES);
+void passes_add(void* builder, void* passes) {
+  static const void* waits = nullptr;  // the list that has been asked for once
+  const void* const caller = __builtin_return_address(0);
+  if (known_version && is_pocl(calling_library(caller))) {
+    const bool again = waits == passes;
+    waits = again ? nullptr : passes;
+    if (!again) return;
+  }
+  if (const auto add = llvm_function<decltype(passes_add)>(ADD_PASSES, caller)) add(builder, passes);
 }
 }
 

@@ -1,0 +1,38 @@
+// How many cores a process may use, by its affinity and by the quota of its control group.
+#include <gtest/gtest.h>
+#include <sched.h>
+
+#include <thread>
+
+#include "base/cores.hpp"
+
+namespace brume {
+namespace {
+
+TEST(Cores, FollowAQuotaDownToOne) {
+  EXPECT_EQ(cores_of_quota("max 100000", 8), 8);
+  EXPECT_EQ(cores_of_quota("", 8), 8);  // no such file
+  EXPECT_EQ(cores_of_quota("200000 100000", 8), 2);
+  EXPECT_EQ(cores_of_quota("160000 100000", 8), 2);
+  EXPECT_EQ(cores_of_quota("20000 100000", 8), 1);
+  EXPECT_EQ(cores_of_quota("90000000 100000", 8), 8);
+  EXPECT_EQ(cores_of_quota("100000 0", 8), 8);
+}
+
+TEST(Cores, AreThoseOfTheAffinity) {
+  EXPECT_GE(cores_usable(), 1);
+  std::thread([] {  // of this thread alone
+    cpu_set_t all, one;
+    ASSERT_EQ(::sched_getaffinity(0, sizeof all, &all), 0);
+    int cpu = 0;
+    while (!CPU_ISSET(cpu, &all)) ++cpu;
+    CPU_ZERO(&one);
+    CPU_SET(cpu, &one);
+    ASSERT_EQ(::sched_setaffinity(0, sizeof one, &one), 0);
+    EXPECT_EQ(cores_usable(), 1);
+  })
+      .join();
+}
+
+}  // namespace
+}  // namespace brume

@@ -1,8 +1,8 @@
 // See pocl_compiler.hpp. PoCL has the library parsed by llvm::parseIRFile and finds functions in it by
 // llvm::Module::getFunction; for a kernel it asks llvm::PassManagerBuilder for passes, twice into one list that it
 // keeps. A program that exports all three (cmake/exported_symbols.list) is asked before LLVM: here the file is opened
-// lazily, a function is read when it is looked up, and the list gets its passes the second time. The names are those of LLVM 15; a
-// driver that is linked with another one never calls them.
+// lazily, a function is read when it is looked up, and the list gets its passes the second time. The names are those of
+// LLVM 15; a driver that is linked with another one never calls them.
 #include "cl/pocl_compiler.hpp"
 
 #include <dlfcn.h>

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cstdio>
 #include <fstream>
-#include <limits>
 #include <memory>
 #include <thread>
 
@@ -35,16 +34,18 @@ bool both_at_hand(const Context& context, const PartKeys& keys, const std::strin
   return program_at_hand(context, keys.parts[0], options) && program_at_hand(context, keys.parts[1], options);
 }
 
-// Programs and threads that run or could, this one among them, as often as it takes to pass over what runs but shortly.
-int runnable_now() {
-  int least = std::numeric_limits<int>::max();
+// Whether a core is free: by the load of the last minute, or by what runs now, looked at as often as it takes to pass
+// over what runs but shortly, this thread among it.
+bool core_is_free() {
+  const int cores = cores_usable();
   for (int i = 0; i < 5; ++i, std::this_thread::sleep_for(std::chrono::microseconds(500))) {
-    std::string load[3];
+    double minute = 0, load = 0;
     int running = 0;
     std::ifstream file("/proc/loadavg");
-    if (file >> load[0] >> load[1] >> load[2] >> running) least = std::min(least, running);
+    if (!(file >> minute >> load >> load >> running)) return false;
+    if (minute < cores - 0.5 || running < cores) return cores > 1;
   }
-  return least;
+  return false;
 }
 
 // brume-kernels at work on the second part; null where it cannot be started.
@@ -80,7 +81,7 @@ bool parts_at_hand(const Context& context, const PartedSource& source, const std
 }
 
 std::filesystem::path part_program() {
-  if (runnable_now() >= cores_usable()) return {};
+  if (!core_is_free()) return {};
   try {
     return helper_program_file("brume-kernels", "kernels in two parts");
   } catch (const RuntimeError&) {

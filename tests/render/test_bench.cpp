@@ -123,7 +123,8 @@ TEST_F(Bench, MeasuresARowForEachBenchmark) {
   expect_refused("bench --size 16 --filter nothing_4711", 2, "--filter: no benchmark matches 'nothing_4711'");
 }
 
-// What only absorbs is held against VTK: the same picture to a percent where that is, else the row says what is missing.
+// What only absorbs is held against VTK: the same picture to a percent where that is, else the row says what is
+// missing.
 TEST_F(Bench, AbsorbsBesideVtk) {
   const std::string filter = " --size 32 --repetitions 1 --filter 'absorb/fog128/|peer/fog128/vtk' ";
   const Outcome r = run("bench --peers" + filter + "--json out.json");

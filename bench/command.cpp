@@ -90,7 +90,7 @@ void print_axis_end(const ScalingAxis& axis) {
 int bench_scaling(const BenchArguments& arguments) {
   std::filesystem::create_directories(arguments.scaling);
   const auto file = [&](const char* name) { return arguments.scaling / name; };
-  AtomicFile(file("scaling.json"));  // not after minutes
+  const AtomicFile writable(file("scaling.json"));  // not after minutes
   const Scratch scratch;
   const DeviceInfo device = device_choose(arguments.device);
   print(device.title() + ", driver " + device.driver + "\n\n");

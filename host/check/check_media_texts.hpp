@@ -51,6 +51,13 @@ constexpr SceneText MEDIA_SCENES[] = {
   "media": [{"bounds": [[-1, -0.6, -0.6], [0.3, 0.6, 0.6]], "density": {"type": "perlin", "resolution": [13, 12, 12], "scale": 2, "seed": 5},
              "sigma_a": 0.2, "sigma_s": [2, 1, 0.5]},
             {"bounds": [[-0.2, -0.5, -0.7], [1, 0.7, 0.5]], "density": {"type": "constant"}, "sigma_a": [0.1, 0.3, 0.6], "sigma_s": 0.4}]})"},
+    {"fog_on_one_spot", R"({
+  "camera": {"eye": [1.7, 1.2, 2.9], "target": [0, 0, 0], "vfov": 40}, "film": {"spp": 1}, "background": [0.1, 0.1, 0.1],
+  "lights": [{"type": "directional", "direction": [-0.5, -1, -0.3], "irradiance": 3},
+             {"type": "point", "position": [0.3, 0.4, 0.2], "intensity": 1}],
+  "media": [{"density": {"type": "perlin", "resolution": [5, 6, 5], "scale": 2, "seed": 1}, "sigma_a": [0.1, 0.2, 0.4], "sigma_s": 0.7},
+            {"density": {"type": "perlin", "resolution": [6, 5, 6], "scale": 2, "seed": 2}, "transform": [{"rotate": [0, 1, 0.3, 35]}],
+             "sigma_a": 0.1, "sigma_s": 1}]})"},
     {"fog_grid", R"({
   "camera": {"eye": [1.9, 1.1, 2.6], "target": [0, 0, 0], "vfov": 40}, "background": [0.1, 0.1, 0.2],
   "lights": [{"type": "directional", "direction": [-0.5, -1, -0.3], "irradiance": [3, 3, 3]},

@@ -63,8 +63,7 @@ dvec3 LightLadder::rung(std::size_t light, long number, const Segment& at, doubl
   const auto [known, is_new] = rungs_.try_emplace({light, number}, 0);
   if (!is_new) return known->second;
   const dvec3 point = ray_.at(begin_ + static_cast<double>(number) * step_);
-  const LightSample sample = light_at(context_.scene, context_.scene.lights[light], point, at.places);
-  return known->second = media_tau(context_, {point, -sample.travel}, sample.distance, at.walk, lookups);
+  return known->second = light_depth_traced(context_, light, point, at.places, at.walk, lookups);
 }
 
 std::optional<dvec3> LightLadder::depth(const Segment& at, std::size_t light, double t, double& lookups) const {

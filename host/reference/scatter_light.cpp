@@ -40,8 +40,7 @@ dvec3 light_depth(const Context& context, const Segment& at, std::size_t light, 
   if (depths.tau.empty()) {
     if (at.ladder)
       if (const auto tau = at.ladder->depth(at, light, t, lookups)) return *tau;
-    const LightSample sample = light_at(context.scene, context.scene.lights[light], point, at.places);
-    return media_tau(context, {point, -sample.travel}, sample.distance, random, lookups);
+    return light_depth_traced(context, light, point, at.places, random, lookups);
   }
   ++lookups;
   return light_grid_tau(depths, light_grid_of(context.scene, medium, light), medium, light, point);
@@ -228,6 +227,12 @@ dvec3 source_at(const Context& context, const Segment& at, const RayD& ray, Scat
 }
 
 }  // namespace
+
+dvec3 light_depth_traced(const Context& context, std::size_t light, const dvec3& point, const RandomStream& places,
+                         const RandomStream& random, double& lookups) {
+  const LightSample sample = light_at(context.scene, context.scene.lights[light], point, places);
+  return media_tau(context, {point, -sample.travel}, sample.distance, random, lookups);
+}
 
 double edge_between(const std::function<bool(double)>& lit, double near, double far, bool first) {
   constexpr int HALVINGS = 12;

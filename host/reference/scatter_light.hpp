@@ -36,6 +36,10 @@ struct Segment {
   bool dense() const { return deep && bends; }
 };
 
+// τ of all media from a point to a light; `places` are the numbers of the view ray, `random` is that of the walk there.
+dvec3 light_depth_traced(const Context& context, std::size_t light, const dvec3& point, const RandomStream& places,
+                         const RandomStream& random, double& lookups);
+
 // Where between two places, of which the first is lit as told and the other is not so, that changes.
 double edge_between(const std::function<bool(double)>& lit, double near, double far, bool first);
 

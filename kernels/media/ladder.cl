@@ -26,7 +26,7 @@ typedef struct Ladder {
   int media;
   float from[MEDIA_TOGETHER], until[MEDIA_TOGETHER];  // of those that scatter, from rung 0
   int number[LADDER_LIGHTS][LADDER_RUNGS];            // of the rung that is kept there
-  float tau[TAU_CHANNELS][LADDER_LIGHTS][LADDER_RUNGS];
+  Tau tau[LADDER_LIGHTS][LADDER_RUNGS];
 } Ladder;
 
 static inline int ladder_takes(const Medium* medium) {
@@ -49,15 +49,11 @@ static inline Tau ladder_rung(const Scene* scene, const Stretch* s, int l, int r
   Ladder* ladder = s->ladder;
   const int at = rung & (LADDER_RUNGS - 1);
   if (ladder->number[l][at] != rung) {
-    const Tau tau = light_depth(scene, s, l, mad_exact((float)rung, ladder->step, ladder->begin), s->walk, lookups);
+    ladder->tau[l][at] =
+        light_depth(scene, s, l, mad_exact((float)rung, ladder->step, ladder->begin), s->walk, lookups);
     ladder->number[l][at] = rung;
-    for (int c = 0; c < TAU_CHANNELS; ++c) ladder->tau[c][l][at] = tau_channel(tau, c);
   }
-#if BRUME_COLOR_TAU
-  return (float3)(ladder->tau[0][l][at], ladder->tau[1][l][at], ladder->tau[2][l][at]);
-#else
-  return ladder->tau[0][l][at];
-#endif
+  return ladder->tau[l][at];
 }
 
 // Whether light l is far enough from a point of the view ray for the depth to it to change smoothly.
@@ -81,5 +77,21 @@ static inline int ladder_depth(const Scene* scene, const Stretch* s, int l, floa
   return tau_max(fabs(bend) - LADDER_BEND * line) <= LADDER_BEND;
 }
 
+#define segment_is_on_ladder(s, i) ((s)->ladder && (s)->on_ladder[i])
+#else
+#define segment_is_on_ladder(s, i) 0
 #endif
+
+// Depth of all media from `place` on segment i to light l: off the ladder, or the segment asks for itself.
+static inline Tau segment_light_depth(const Scene* scene, const Stretch* s, int l, int i, float place, Random random,
+                                      uint* lookups) {
+  const float t = s->ray->t_begin + place;
+#if BRUME_MEDIA >= 3
+  Tau tau;
+  if (segment_is_on_ladder(s, i) && ladder_reaches(scene, s, l, t) && ladder_depth(scene, s, l, place, &tau, lookups))
+    return tau;
+#endif
+  return light_depth(scene, s, l, t, random, lookups);
+}
+
 #endif

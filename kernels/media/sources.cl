@@ -104,24 +104,6 @@ static inline Colors sources_from_grid(const Scene* scene, const Stretch* s, Med
 }
 #endif
 
-#if BRUME_MEDIA >= 3
-#define segment_is_on_ladder(s, i) ((s)->ladder && (s)->on_ladder[i])
-#else
-#define segment_is_on_ladder(s, i) 0
-#endif
-
-// The same from `place` on segment i, which asks for itself or reads it off the ladder.
-static inline Tau segment_light_depth(const Scene* scene, const Stretch* s, int l, int i, float place, Random random,
-                                      uint* lookups) {
-  const float t = s->ray->t_begin + place;
-#if BRUME_MEDIA >= 3
-  Tau tau;
-  if (segment_is_on_ladder(s, i) && ladder_reaches(scene, s, l, t) && ladder_depth(scene, s, l, place, &tau, lookups))
-    return tau;
-#endif
-  return light_depth(scene, s, l, t, random, lookups);
-}
-
 // T of segment i to the light of shadow ray n. A dense segment asks at both ends, from END_INSET inside of them, and
 // goes on from there in a straight line. One begins where the one before ended: with one light the depth there is
 // known.

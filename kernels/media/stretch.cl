@@ -69,7 +69,7 @@ typedef struct {
 #endif
 #if BRUME_MEDIA >= 3
   struct Ladder* ladder;  // 0: each segment asks for its own depths to the light
-  int on_ladder[W];       // and those that do though there is one
+  int on_ladder[W];       // else those that do not
 #endif
   floatW gain[TAU_CHANNELS];   // ∫ρT over each segment: what each unit of σs S + emission in it sends to the origin
   floatW depth[TAU_CHANNELS];  // τ of all media over each

@@ -151,7 +151,7 @@ static inline void ladder_begin(const Scene* scene, Strands* all) {
     ladder->until[i] += ladder->from[i];
   }
   ladder->step = ladder->media >= LADDER_MEDIA ? LADDER_CELLS / cells : 0.0f;
-  for (int l = 0; l < LADDER_LIGHTS; ++l)
+  for (int l = 0; ladder->step > 0.0f && l < LADDER_LIGHTS; ++l)
     for (int i = 0; i < LADDER_RUNGS; ++i) ladder->number[l][i] = INT_MIN;
 }
 

@@ -69,7 +69,6 @@ TEST(Overlap, LightOfBoxesIsNearTheIntegral) {
   for (const double afar : {1.0, 1000.0}) {
     std::string scene = boxes_scene(4, R"("sigma_s": 1)", "{}");
     const std::string eye = "[1.7, 1.25, 3.9]", fov = R"("vfov": 40)";
-    const auto number = [](double x) { return std::to_string(x); };
     scene.replace(scene.find(eye), eye.size(),
                   "[" + number(1.7 * afar) + "," + number(1.25 * afar) + "," + number(3.9 * afar) + "]");
     scene.replace(scene.find(fov), fov.size(), R"("vfov": )" + number(40 / afar));

@@ -190,7 +190,7 @@ TEST_F(Bench, LongScalingTurnsOneNumberAtATime) {
   EXPECT_GT(axes["lights"]["points"][1]["seconds"], 0);
   EXPECT_NEAR(axes["lights"]["lookups_exponent"].get<double>(), 1, 0.2);
   EXPECT_NEAR(axes["overlapping media, light grid"]["lookups_exponent"].get<double>(), 1, 0.2);
-  EXPECT_NEAR(axes["overlapping media, light traced"]["lookups_exponent"].get<double>(), 2, 0.2);
+  EXPECT_NEAR(axes["overlapping media, light traced"]["lookups_exponent"].get<double>(), 1, 0.2);
   EXPECT_EQ(axes["threads"]["lookups_exponent"].get<double>(), 0);
   EXPECT_THAT(r.out, HasSubstr("\noverlapping media, light grid\n       1 "));
   if (std::system("command -v gnuplot >/dev/null") == 0) {

@@ -163,6 +163,7 @@ TEST_F(Frames, CamerasMayDifferFromFrameToFrame) {
 
 TEST_F(Frames, ACameraIsSavedAndTakenForAnyFile) {
   const std::string tank = (test_data() / "own/tank_06.vdb").string();
+  if (!fs::exists(tank)) GTEST_SKIP() << tank << " is not there";
   ASSERT_EQ(run("render " + tank + " -o a.png --size 16x12 --quiet --save-camera c.json --save-scene s.json").exit_code,
             0);
   ASSERT_EQ(run("render s.json -o b.png --quiet --set /camera/eye=[9,9,9] --save-camera far.json").exit_code, 0);
@@ -176,6 +177,7 @@ TEST_F(Frames, ACameraIsSavedAndTakenForAnyFile) {
 }
 
 TEST_F(Frames, BareFilesHaveOneCameraForAll) {
+  if (!fs::exists(test_data() / "own/tank_06.vdb")) GTEST_SKIP() << test_data() << " holds no own/tank_06.vdb";
   const std::string tank = (test_data() / "own/tank_%02d.vdb").string();
   const Outcome r = run("render " + tank + " --frames 2-6:2 -o f_%02d.png --size 16x12 --save-scene tank.json");
   ASSERT_EQ(r.exit_code, 0) << r.err;

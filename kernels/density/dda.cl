@@ -48,7 +48,7 @@ static inline DdaAxis axis_begin(float origin, float dir, float s, float length,
 // The cell of the current brick in which the axis stands at s; origin is the ray's own.
 static inline void axis_enter_brick(DdaAxis* a, float origin, float dir, float s) {
   const float first = a->brick * BRICK_CELLS;
-  a->cell = fmin(fmax(floor(mad_exact(s, dir, origin)), first), first + (float)(BRICK_CELLS - 1));
+  a->cell = fmin_ordered(fmax_ordered(floor(mad_exact(s, dir, origin)), first), first + (float)(BRICK_CELLS - 1));
   a->cell_exit = axis_crossing(a, a->cell + a->ahead);
 }
 
@@ -95,7 +95,7 @@ static inline int axis_inside(const DdaAxis* a, int bricks) { return a->brick >=
 
 // Moves on to the next brick in space; 0 when the ray leaves the grid. A ray through an edge or a corner takes all its
 // crossings at once.
-static inline int dda_step_brick(const Medium* medium, Dda* d) {
+__attribute__((always_inline)) static inline int dda_step_brick(const Medium* medium, Dda* d) {
   const float exit = dda_brick_exit(d);
   axis_step_brick(&d->x, exit);
   axis_step_brick(&d->y, exit);
@@ -126,10 +126,10 @@ static inline void dda_brick_store(const Dda* d, int i, Segments* out) {
 
 // Skips to the next brick that is stored and crossed over a positive length: afterwards the ray is in it from s to
 // brick_end. 0 when there is none; s is then at the end.
-static inline int dda_next_brick(const Scene* scene, const Medium* medium, Dda* d) {
-  int inside = !d->begun || dda_step_brick(medium, d);
-  d->begun = 1;
-  for (; inside && d->s < d->end; inside = dda_step_brick(medium, d)) {
+__attribute__((always_inline)) static inline int dda_next_brick(const Scene* scene, const Medium* medium, Dda* d) {
+  while (!d->begun || dda_step_brick(medium, d)) {
+    d->begun = 1;
+    if (!(d->s < d->end)) break;
     const float leaves = dda_brick_exit(d), exit = fmin_ordered(leaves, d->end);
     const int entry = dda_brick_entry(scene, medium, d);
     if (entry != BRICK_EMPTY && exit > d->s) {

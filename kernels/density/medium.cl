@@ -151,20 +151,24 @@ static inline floatW density_nearest(__global const Voxel* voxels, const MediumR
   return density_of(at, here);
 }
 
-// The eight samples of a lookup blended, as stored.
-static inline floatW lookup_blend(__global const Voxel* voxels, const Lookup* l) {
-  floatW a, b;
-#define ALONG_X(out, offset)                            \
-  voxels_gather2(voxels + (offset), l->sample, &a, &b); \
-  const floatW out = mad_exact(l->fx, b - a, a)
-  ALONG_X(v00, 0);
-  ALONG_X(v10, brick_stride(0, 1, 0));
-  ALONG_X(v01, brick_stride(0, 0, 1));
-  ALONG_X(v11, brick_stride(0, 1, 1));
-#undef ALONG_X
-  const floatW v0 = mad_exact(l->fy, v10 - v00, v00);
-  const floatW v1 = mad_exact(l->fy, v11 - v01, v01);
+// The eight samples of a lookup, as stored, in pairs along x; and their blend at a place between them.
+static inline void lookup_corners(__global const Voxel* voxels, intW sample, floatW* corner) {
+  for (int k = 0; k < 4; ++k)
+    voxels_gather2(voxels + brick_stride(0, k & 1, k >> 1), sample, &corner[2 * k], &corner[2 * k + 1]);
+}
+
+static inline floatW corners_blend(const floatW* corner, const Lookup* l) {
+  floatW along_x[4];
+  for (int k = 0; k < 4; ++k) along_x[k] = mad_exact(l->fx, corner[2 * k + 1] - corner[2 * k], corner[2 * k]);
+  const floatW v0 = mad_exact(l->fy, along_x[1] - along_x[0], along_x[0]);
+  const floatW v1 = mad_exact(l->fy, along_x[3] - along_x[2], along_x[2]);
   return mad_exact(l->fz, v1 - v0, v0);
+}
+
+static inline floatW lookup_blend(__global const Voxel* voxels, const Lookup* l) {
+  floatW corner[8];
+  lookup_corners(voxels, l->sample, corner);
+  return corners_blend(corner, l);
 }
 
 // The value of either interpolation, as stored.

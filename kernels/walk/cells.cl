@@ -3,7 +3,8 @@
 #define BRUME_WALK_CELLS_CL
 #include "density/dda.cl"
 
-static inline int cells_next_brick(const Scene* scene, const Medium* medium, const MediumRay* ray, Dda* d) {
+__attribute__((always_inline)) static inline int cells_next_brick(const Scene* scene, const Medium* medium,
+                                                                  const MediumRay* ray, Dda* d) {
   if (!dda_next_brick(scene, medium, d)) return 0;
   axis_enter_brick(&d->x, ray->origin.x, ray->dir.x, d->s);
   axis_enter_brick(&d->y, ray->origin.y, ray->dir.y, d->s);
@@ -11,35 +12,71 @@ static inline int cells_next_brick(const Scene* scene, const Medium* medium, con
   return 1;
 }
 
-// Every turn of the loop moves s or steps an axis. What has no length is overwritten by the next segment. The axes are
-// copied: behind a pointer the compiler must take the segments' stores for changes of them, and each step would wait
-// for memory.
-static inline void cells_fill(const Scene* scene, const Medium* medium, const MediumRay* ray, Dda* d, Segments* out) {
+// The three axes side by side, and the end of the brick as a fourth that is never stepped over. A step waits for the
+// one before: what comes behind each plane is worked out before it is known which one is crossed.
+typedef struct {
+  float4 origin, inv_dir, step, ahead;  // as in DdaAxis
+  float4 plane;                         // ahead of each
+  float4 exit;                          // the s of that
+} CellSteps;
+
+static inline float4 cells_crossing(const CellSteps* c, float4 plane) { return (plane - c->origin) * c->inv_dir; }
+
+static inline CellSteps cells_begin(const Dda* d) {
+  CellSteps c;
+  c.origin = (float4)(d->x.origin, d->y.origin, d->z.origin, 0.0f);
+  c.inv_dir = (float4)(d->x.inv_dir, d->y.inv_dir, d->z.inv_dir, 1.0f);
+  c.step = (float4)(d->x.step, d->y.step, d->z.step, 0.0f);
+  c.ahead = (float4)(d->x.ahead, d->y.ahead, d->z.ahead, 0.0f);
+  c.plane = (float4)(d->x.cell, d->y.cell, d->z.cell, d->brick_end) + c.ahead;
+  c.exit = cells_crossing(&c, c.plane);
+  return c;
+}
+
+static inline float cells_exit(const CellSteps* c) {
+  const float2 sooner = fmin_ordered(c->exit.lo, c->exit.hi);
+  return fmin_ordered(sooner.x, sooner.y);
+}
+
+static inline void cells_step(CellSteps* c, float exit) {
+  const int4 crosses = c->exit <= (float4)(exit);
+  const float4 behind = c->plane + c->step;
+  c->exit = select(c->exit, cells_crossing(c, behind), crosses);
+  c->plane = select(c->plane, behind, crosses);
+}
+
+// Every turn of the loop moves s or steps an axis. What has no length is overwritten by the next segment. The walk is
+// copied: behind a pointer the compiler must take the segments' stores for changes of it, and each step would wait for
+// memory.
+static inline void cells_fill(const Scene* scene, const Medium* medium, const MediumRay* ray, Dda* walk,
+                              Segments* out) {
+  Dda d = *walk;
   int n = 0;
-  while (n < W && (d->s < d->brick_end || cells_next_brick(scene, medium, ray, d))) {
-    DdaAxis x = d->x, y = d->y, z = d->z;
-    const float end = d->brick_end;
-    float s = d->s;
+  while (n < W && (d.s < d.brick_end || cells_next_brick(scene, medium, ray, &d))) {
+    CellSteps c = cells_begin(&d);
+    float s = d.s;
+    float4 cell;
     do {
-      const float exit = fmin_ordered(fmin_ordered(x.cell_exit, y.cell_exit), fmin_ordered(z.cell_exit, end));
+      const float exit = cells_exit(&c);
+      cell = c.plane - c.ahead;
       out->begin[n] = s;
       out->place[n] = 0.5f * (s + exit);
       out->size[n] = exit - s;
-      dda_brick_store(d, n, out);
-      out->x[n] = x.cell;
-      out->y[n] = y.cell;
-      out->z[n] = z.cell;
+      dda_brick_store(&d, n, out);
+      out->x[n] = cell.x;
+      out->y[n] = cell.y;
+      out->z[n] = cell.z;
       n += exit > s;
       s = exit > s ? exit : s;
-      axis_step_cell(&x, exit);
-      axis_step_cell(&y, exit);
-      axis_step_cell(&z, exit);
-    } while (n < W && s < end);
-    d->x = x;
-    d->y = y;
-    d->z = z;
-    d->s = s;
+      cells_step(&c, exit);
+    } while (n < W && s < d.brick_end);
+    cell = c.plane - c.ahead;
+    d.x.cell = cell.x;
+    d.y.cell = cell.y;
+    d.z.cell = cell.z;
+    d.s = s;
   }
+  *walk = d;
   out->count = n;
   segments_pad(out);
 }

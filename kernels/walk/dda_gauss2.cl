@@ -3,13 +3,17 @@
 #define BRUME_WALK_DDA_GAUSS2_CL
 #include "walk/cells.cl"
 
-// Also the share of ∫ρ that the second point stands for.
+// Also the share of ∫ρ that the second point stands for. Both lie in one cell, whose corners are loaded once.
 static inline floatW dda_gauss2_shares(__global const Voxel* voxels, const MediumRay* ray, const Segments* at,
                                        floatW* second) {
   const floatW middle = lanes_load(at->place), size = lanes_load(at->size);
   const floatW away = size * 0.288675134594813f;  // 1 / (2 √3)
-  const floatW before = density_trilinear(voxels, ray, at, middle - away, WITHIN_CELL),
-               after = density_trilinear(voxels, ray, at, middle + away, WITHIN_CELL), sum = before + after;
+  const Lookup first = lookup_at(ray, at, middle - away, WITHIN_CELL),
+               last = lookup_at(ray, at, middle + away, WITHIN_CELL);
+  floatW corner[8];
+  lookup_corners(voxels, first.sample, corner);
+  const floatW before = density_of(at, corners_blend(corner, &first)),
+               after = density_of(at, corners_blend(corner, &last)), sum = before + after;
   *second = lanes_select((floatW)(0.5f), after / sum, sum > 0.0f);
   return 0.5f * size * sum;
 }
@@ -34,8 +38,7 @@ static inline void dda_gauss2_growth(__global const Voxel* voxels, const MediumR
   const floatW size = lanes_load(at->size);
   const Lookup l = lookup_at(ray, at, lanes_load(at->begin), WITHIN_CELL);
   floatW corner[8], along_x[4][2], along_y[2][3];
-  for (int k = 0; k < 4; ++k)
-    voxels_gather2(voxels + brick_stride(0, k & 1, k >> 1), l.sample, &corner[2 * k], &corner[2 * k + 1]);
+  lookup_corners(voxels, l.sample, corner);
   for (int k = 0; k < 4; ++k) lerp_cubic(l.fx, size * ray->dir.x, &corner[2 * k], &corner[2 * k + 1], 0, along_x[k]);
   for (int k = 0; k < 2; ++k) lerp_cubic(l.fy, size * ray->dir.y, along_x[2 * k], along_x[2 * k + 1], 1, along_y[k]);
   lerp_cubic(l.fz, size * ray->dir.z, along_y[0], along_y[1], 2, c);

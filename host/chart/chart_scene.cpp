@@ -78,7 +78,7 @@ double ChartScene::cost(const Knobs& knobs) {
 
 std::optional<ChartPicture> ChartScene::render(const SceneDesc& set, bool timed, const Progress& go_on) {
   Stage& its = stage(set);
-  const RenderPlan plan = plan_render(set, its.scene, {options_.crop, false});
+  const RenderPlan plan = plan_render(set, its.scene, {options_.crop, false, &its.piece_errors});
   ChartPicture picture;
   // A program that was built for another setting took as long for this one.
   const std::string kernel = kernel_options(its.scene, plan, context_.device(), options_.lanes, options_.generic);
@@ -117,7 +117,7 @@ std::optional<ChartPicture> ChartScene::render(const SceneDesc& set, bool timed,
 
 ChartScene::PixelTimes ChartScene::render_pixels(const SceneDesc& set, Film& film, const WorkList& work) {
   Stage& its = stage(set);
-  const RenderPlan plan = plan_render(set, its.scene, {options_.crop, false});
+  const RenderPlan plan = plan_render(set, its.scene, {options_.crop, false, &its.piece_errors});
   Renderer renderer(context_, its.device, plan, {options_.lanes, options_.generic, 0});
   if (!renderer.render(film, work, [](double) { return !interrupt_requested(); })) interrupt_check();
   PixelTimes times;
@@ -138,9 +138,9 @@ std::optional<ChartPicture> ChartScene::render_once(const SceneDesc& set, const 
 
 const PlannedScene& ChartScene::exact_scene(int spp) {
   const SceneDesc set = exact_desc(desc_, spp);
-  PlannedScene& scene = stage(set).scene;
-  static_cast<RenderPlan&>(scene) = plan_render(set, scene, {options_.crop, false});
-  return scene;
+  Stage& its = stage(set);
+  static_cast<RenderPlan&>(its.scene) = plan_render(set, its.scene, {options_.crop, false, &its.piece_errors});
+  return its.scene;
 }
 
 std::string ChartScene::exact_method() {

@@ -66,6 +66,7 @@ class ChartScene {
   struct Stage {
     PlannedScene scene;
     std::shared_ptr<DeviceScene> device;
+    PieceErrors piece_errors;
   };
   Stage& stage(const SceneDesc& set);
   std::optional<ChartPicture> render(const SceneDesc& set, bool timed, const Progress& go_on);

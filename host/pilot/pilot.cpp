@@ -12,6 +12,7 @@ namespace brume {
 
 namespace {
 
+constexpr double LOOK_PIXELS = 4096;  // of a first look at most: which parts of the picture are bright
 constexpr int PANEL_PIXELS = 96, PANEL_LEAST = 24;
 constexpr double PANEL_SHARE = 0.2;  // of the time of the coarsest picture
 constexpr double PANEL_SECONDS_LEAST = 0.08, PANEL_SECONDS_MOST = 0.5;
@@ -43,6 +44,36 @@ WorkList work_spread(const WorkList& all) {
   return work;
 }
 
+// The middles of squares of pixels, as large ones as leave few enough; and what they show in all pixels of theirs.
+struct Look {
+  explicit Look(const Frame& frame)
+      : x0(frame.crop_x0), y0(frame.crop_y0), width(frame.crop_x1 - x0), height(frame.crop_y1 - y0),
+        side(static_cast<int>(std::ceil(std::sqrt(double(width) * height / LOOK_PIXELS)))) {}
+
+  int middle(int at, int size) const { return std::min(at - at % side + side / 2, size - 1); }
+
+  WorkList work(const WorkList& all, int film_width) const {
+    WorkList chosen;
+    for (const PixelWork& work : all) {
+      const int x = static_cast<int>(work.pixel) % film_width - x0, y = static_cast<int>(work.pixel) / film_width - y0;
+      if (middle(x, width) == x && middle(y, height) == y) chosen.push_back(work);
+    }
+    return chosen;
+  }
+
+  Image picture(const Film& film) const {
+    Film shown({width, height});
+    for (int y = 0; y < height; ++y)
+      for (int x = 0; x < width; ++x)
+        shown.pixels()[std::size_t(y) * std::size_t(width) + std::size_t(x)] =
+            film.pixels()[std::size_t(y0 + middle(y, height)) * std::size_t(film.size().x) +
+                          std::size_t(x0 + middle(x, width))];
+    return film_image(shown);
+  }
+
+  int x0, y0, width, height, side;
+};
+
 // What a pixel costs, in density lookups: for its samples and shadow rays in themselves, too. Counts tell candidates
 // apart where a few pixels are over too soon to be timed.
 double effort_of(const FilmPixel& p) { return p.lookups + 4.0 * p.shadow_rays + 100.0 * p.samples; }
@@ -65,12 +96,14 @@ Pilot::Pilot(ChartScene& scene, const std::vector<int>& methods)
   spread_ = work_spread(all);
   for (PixelWork& work : spread_) work.samples = static_cast<std::uint32_t>(desc.film.spp);
   pixels_ = double(all.size());
-  const ChartScene::PixelTimes times = scene_.render_pixels(look, film_, all);
-  least_seconds_ = times.once + times.pixels * desc.film.spp;
+  const Look first(frame);
+  const WorkList looked = first.work(all, film_.size().x);
+  const ChartScene::PixelTimes times = scene_.render_pixels(look, film_, looked);
+  least_seconds_ = times.once + times.pixels * desc.film.spp * pixels_ / double(looked.size());
   double effort = 0;
-  for (const PixelWork& work : all) effort += effort_of(film_.pixels()[work.pixel]);
+  for (const PixelWork& work : looked) effort += effort_of(film_.pixels()[work.pixel]);
   effort_seconds_ = times.pixels / effort;
-  preview_ = film_image(film_.cut({frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1}));
+  preview_ = first.picture(film_);
   panel_ = panel(CHOOSING);
 }
 

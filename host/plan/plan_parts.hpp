@@ -1,6 +1,7 @@
 // The parts of plan_render().
 #pragma once
 #include "flat/flat_scene.hpp"
+#include "plan/piece_errors.hpp"
 #include "plan/render_plan.hpp"
 #include "scene/scene_desc.hpp"
 
@@ -18,8 +19,9 @@ void plan_lights(const SceneDesc& desc, const FlatScene& scene, RenderPlan& plan
 // Throws InputError where they have more entries than kernels count.
 std::vector<int> light_grids_plan(const SceneDesc& desc, const std::vector<Medium>& media, RenderPlan& plan);
 
-// What `adaptive` needs to know of a medium, for this tolerance; adds to RenderPlan::piece_rates.
-void adaptive_plan(double tolerance, const FlatScene& scene, std::size_t medium, RenderPlan& plan);
+// What `adaptive` needs to know of a medium, for this tolerance; adds to RenderPlan::piece_rates and, where they are not
+// known yet, to the errors.
+void adaptive_plan(double tolerance, const FlatScene& scene, std::size_t medium, PieceErrors& known, RenderPlan& plan);
 
 // Throws InputError where the steps of marched media ask for more lookups than can be meant.
 void work_check(const SceneDesc& desc, const FlatScene& scene, const RenderPlan& plan);

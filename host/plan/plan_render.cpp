@@ -72,7 +72,7 @@ bool wants_light_ladder(const RenderPlan& plan) {
   return all && !draws && !adapts && plan.walks.size() <= MEDIA_TOGETHER;
 }
 
-void plan_media(const SceneDesc& desc, const FlatScene& flat, RenderPlan& plan) {
+void plan_media(const SceneDesc& desc, const FlatScene& flat, PieceErrors& known, RenderPlan& plan) {
   const std::vector<MediumRow> rows = media_rows(desc);
   media_check(desc, rows, plan.plan_notes);
   if (rows.size() != flat.media.size())
@@ -80,7 +80,7 @@ void plan_media(const SceneDesc& desc, const FlatScene& flat, RenderPlan& plan) 
   for (std::size_t i = 0; i < rows.size(); ++i) {
     plan.walks.push_back(walk_plan(desc, *rows[i].desc, flat, i, plan.frame));
     if (method_has_tolerance(plan.walks.back().method))
-      adaptive_plan(rows[i].desc->tolerance.value_or(desc.render.tolerance), flat, i, plan);
+      adaptive_plan(rows[i].desc->tolerance.value_or(desc.render.tolerance), flat, i, known, plan);
     plan.draws |= 1u << method_draws(plan.walks.back().method);
   }
   std::vector<Medium> media;
@@ -112,7 +112,8 @@ RenderPlan plan_render(const SceneDesc& desc, const FlatScene& flat, const PlanO
   plan.frame.medium_count = static_cast<int>(flat.media.size());
   plan.frame.hides_background = options.hide_background;
   plan.storage = desc.render.storage;
-  plan_media(desc, flat, plan);
+  PieceErrors own;
+  plan_media(desc, flat, options.piece_errors ? *options.piece_errors : own, plan);
   crop_set(plan.frame, options.crop, desc.film.size);
   work_check(desc, flat, plan);
   return plan;

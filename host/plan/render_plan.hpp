@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "flat/flat_scene.hpp"
+#include "plan/piece_errors.hpp"
 #include "scene/scene_desc.hpp"
 #include "shared/frame.h"
 #include "shared/light_grid.h"
@@ -42,6 +43,7 @@ bool plan_lights_extend(const RenderPlan& plan);
 struct PlanOptions {
   std::array<int, 4> crop{0, 0, 0, 0};  // x0, y0, x1, y1 in pixels; empty: the whole film
   bool hide_background = false;         // from the camera; mirrors and glass go on seeing it
+  PieceErrors* piece_errors = nullptr;  // of the scene, kept from plan to plan; null: measured where they are needed
 };
 
 // `desc` may differ from that of the flat scene in its camera, film and "render", and in "method" and "step" of media.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 
 #include "base/error.hpp"
@@ -12,21 +13,22 @@ namespace brume {
 
 namespace {
 
-constexpr double LOOK_PIXELS = 4096;  // of a first look at most: which parts of the picture are bright
+constexpr double LOOK_PIXELS = 16384;  // of a first look at most: fewer miss small parts that are bright
 constexpr int PANEL_PIXELS = 96, PANEL_LEAST = 24;
 constexpr double PANEL_SHARE = 0.2;  // of the time of the coarsest picture
 constexpr double PANEL_SECONDS_LEAST = 0.08, PANEL_SECONDS_MOST = 0.5;
 constexpr unsigned CHOOSING = 2, CHECKING = 3;  // seeds of pixels; the picture's own witnesses have 1
 constexpr double SURE = 0.5;                    // an error this far below the goal needs no second panel
-constexpr double LIKELY = 1.7;    // times its error on the panel is below the goal: taken where none is surely below
-constexpr double RETRY = 0.7;     // of the goal, where the second panel has said no
-constexpr double DEARER = 8;      // by cost: not worth a trial beside the quickest that is good enough
-constexpr double STALLED = 0.85;  // of the error before: what halving a step leaves where it no longer matters
-constexpr double MORE = 1.2;      // times the lookups: really finer
-constexpr double GRID_GAIN = 4;   // by which the error of a light grid falls at most with cells half as long,
-constexpr double GRID_COST = 8;   // and how much longer that takes to fill
-constexpr double EQUAL = 1.2;     // errors of which the quicker is taken where none is good enough
-constexpr double TIMED = 2;       // times the quickest: near enough to be timed against it
+constexpr double LIKELY = 1.7;      // times its error on the panel is below the goal: taken where none is surely below
+constexpr double RETRY = 0.7;       // of the goal, where the second panel has said no
+constexpr double DEARER = 8;        // by cost: not worth a trial beside the quickest that is good enough
+constexpr double STALLED = 0.85;    // of the error before: what halving a step leaves where it no longer matters
+constexpr double MORE = 1.2;        // times the lookups: really finer
+constexpr double GRID_GAIN = 4;     // by which the error of a light grid falls at most with cells half as long,
+constexpr double GRID_COST = 8;     // and how much longer that takes to fill: by their number
+constexpr double GRID_FROM = 0.05;  // s: less than the kernels of a first light grid take to load
+constexpr double EQUAL = 1.2;       // errors of which the quicker is taken where none is good enough
+constexpr double TIMED = 2;         // times the quickest: near enough to be timed against it
 constexpr std::size_t TIMED_MOST = 4;
 constexpr double TIMED_SHARE = 0.03, TIMED_PIXELS_LEAST = 128;  // of the picture's pixels
 constexpr double TIMED_FROM = 0.1;                              // s: quicker pictures are not worth it
@@ -47,7 +49,10 @@ WorkList work_spread(const WorkList& all) {
 // The middles of squares of pixels, as large ones as leave few enough; and what they show in all pixels of theirs.
 struct Look {
   explicit Look(const Frame& frame)
-      : x0(frame.crop_x0), y0(frame.crop_y0), width(frame.crop_x1 - x0), height(frame.crop_y1 - y0),
+      : x0(frame.crop_x0),
+        y0(frame.crop_y0),
+        width(frame.crop_x1 - x0),
+        height(frame.crop_y1 - y0),
         side(static_cast<int>(std::ceil(std::sqrt(double(width) * height / LOOK_PIXELS)))) {}
 
   int middle(int at, int size) const { return std::min(at - at % side + side / 2, size - 1); }
@@ -181,14 +186,23 @@ PilotTrial* Pilot::coarsest(const KnobFamily& family, const RenderDesc& goal) {
   return nullptr;
 }
 
+// As it was, or by the number of cells from the finest that was filled; 0 before any was.
+double Pilot::fill_seconds(int grid) const {
+  const auto after = fill_seconds_.upper_bound(grid);
+  if (after == fill_seconds_.begin()) return 0;
+  const auto [filled, seconds] = *std::prev(after);
+  return seconds * std::pow(double(grid) / filled, std::log2(GRID_COST));
+}
+
 // The first light grid that is good enough in place of tracing with settings that are, and may be quicker than
 // `seconds`. One that was too coarse once is so for every method.
 PilotTrial* Pilot::coarsest_grid(const KnobFamily& family, Knobs knobs, const RenderDesc& goal, double seconds) {
+  if (seconds < GRID_FROM) return nullptr;
   double hoped = 0;  // the least that the error of the next may be
   for (const int grid : family_grids(family, scene_)) {
     hoped /= GRID_GAIN;
     if (grid <= too_coarse_ || hoped > *goal.max_error) continue;
-    if (least_seconds_ + fill_seconds_[grid] > seconds) return nullptr;
+    if (least_seconds_ + fill_seconds(grid) > seconds) return nullptr;
     knobs.light_grid = grid;
     PilotTrial& it = trial(knobs);
     fill_seconds_[grid] = it.once;

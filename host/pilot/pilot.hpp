@@ -50,6 +50,7 @@ class Pilot {
   double seconds_of(const ChartScene::PixelTimes& times, const Panel& panel) const;
   bool good_enough(const PilotTrial& trial, const RenderDesc& goal) const;
   PilotTrial* coarsest(const KnobFamily& family, const RenderDesc& goal);
+  double fill_seconds(int grid) const;
   PilotTrial* coarsest_grid(const KnobFamily& family, Knobs knobs, const RenderDesc& goal, double seconds);
   void time(PilotTrial& trial);
   PilotTrial& quickest_of(std::vector<PilotTrial*> good);

@@ -1,12 +1,10 @@
 // Film position of a sample and the ray through it. Definitions: PICTURE, Pixel positions and Camera rays.
 #ifndef BRUME_LIB_CAMERA_CL
 #define BRUME_LIB_CAMERA_CL
+#include "lib/lanes.cl"
 #include "lib/rng.cl"
-#include "lib/slab.cl"
 #include "lib/sobol.cl"
-#include "lib/vec.cl"
 #include "shared/frame.h"
-#include "shared/ray.h"
 
 // Where sample `sample` of `spp` sits within its pixel: the sequence of the pixel, which does not depend on spp.
 static inline float2 pixel_position(uint pixel, uint sample, uint spp, uint seed) {
@@ -14,37 +12,71 @@ static inline float2 pixel_position(uint pixel, uint sample, uint spp, uint seed
   return sobol_scrambled(sample, pixel, 0, seed);
 }
 
-// t from which the ray is inside the frame's bounds, at least `first`; 0 where it misses them.
-static inline float bounds_entry(__constant const Frame* frame, float3 point, float3 dir, float first) {
-  float t0 = first, t1 = INFINITY;
-  if (!(frame->bounds_lo.x < frame->bounds_hi.x)) return 0.0f;
-  return box_cut(vec_unpack(frame->bounds_lo), vec_unpack(frame->bounds_hi), point, dir, &t0, &t1) ? t0 : 0.0f;
+// W camera rays side by side, in the world.
+typedef struct {
+  floatW origin[3], dir[3];
+  floatW start;  // how far before its origin each begins
+} CameraRays;
+
+// slab_cut for W rays.
+static inline intW slab_cut_lanes(float lo, float hi, floatW o, floatW d, floatW* t0, floatW* t1) {
+  const floatW inv_d = 1.0f / d;
+  const intW crosses = fabs(inv_d) < (floatW)(INFINITY);
+  const float rounding = 2e-7f * (fabs(lo) + fabs(hi));
+  const intW between = (o >= (floatW)(lo - rounding)) & (o <= (floatW)(hi + rounding));
+  const floatW a = (lo - o) * inv_d, b = (hi - o) * inv_d;
+  *t0 = lanes_select(*t0, fmax_ordered(*t0, fmin_ordered(a, b)), crosses);
+  *t1 = lanes_select(*t1, fmin_ordered(*t1, fmax_ordered(a, b)), crosses);
+  return lanes_select(between, (intW)(-1), crosses);
 }
 
-static inline Ray camera_ray(__constant const Frame* frame, uint pixel, uint sample) {
+// t from which each ray is inside the frame's bounds, at least `first`; 0 where it misses them.
+static inline floatW bounds_entry(__constant const Frame* frame, const floatW* point, const floatW* dir, floatW first) {
+  floatW t0 = first, t1 = (floatW)(INFINITY);
+  if (!(frame->bounds_lo.x < frame->bounds_hi.x)) return (floatW)(0.0f);
+  const intW hits = slab_cut_lanes(frame->bounds_lo.x, frame->bounds_hi.x, point[0], dir[0], &t0, &t1) &
+                    slab_cut_lanes(frame->bounds_lo.y, frame->bounds_hi.y, point[1], dir[1], &t0, &t1) &
+                    slab_cut_lanes(frame->bounds_lo.z, frame->bounds_hi.z, point[2], dir[2], &t0, &t1);
+  return lanes_select((floatW)(0.0f), t0, hits & (t0 <= t1));
+}
+
+// Film coordinates of these samples.
+static inline void film_positions(__constant const Frame* frame, const uint* pixels, const uint* samples, floatW* x,
+                                  floatW* y) {
   __constant const Camera* camera = &frame->camera;
-  const float2 in_pixel = pixel_position(pixel, sample, (uint)camera->spp, frame->seed);
-  const uint column = pixel % (uint)camera->width;
-  const uint row = pixel / (uint)camera->width;
-  const float x = 2.0f * ((float)column + in_pixel.x) / (float)camera->width - 1.0f;
-  const float y = 1.0f - 2.0f * ((float)row + in_pixel.y) / (float)camera->height;
-  const float3 offset = x * vec_unpack(camera->right) + y * vec_unpack(camera->up);
+  float column[W], row[W];
+  for (int i = 0; i < W; ++i) {
+    const float2 in_pixel = pixel_position(pixels[i], samples[i], (uint)camera->spp, frame->seed);
+    column[i] = (float)(pixels[i] % (uint)camera->width) + in_pixel.x;
+    row[i] = (float)(pixels[i] / (uint)camera->width) + in_pixel.y;
+  }
+  *x = 2.0f * lanes_load(column) / (float)camera->width - 1.0f;
+  *y = 1.0f - 2.0f * lanes_load(row) / (float)camera->height;
+}
+
+// Of these W samples.
+static inline CameraRays camera_rays(__constant const Frame* frame, const uint* pixels, const uint* samples) {
+  __constant const Camera* camera = &frame->camera;
   const int perspective = camera->type == CAMERA_PERSPECTIVE;
-  const float3 through = vec_unpack(camera->forward) + (perspective ? offset : (float3)(0.0f));
-  const float3 dir = (perspective ? normalize(through) : through) + 0.0f;  // + 0 turns -0.0 into 0.0
-  const float3 point = vec_unpack(camera->axis) + (perspective ? camera->back * offset : offset);
-  const float behind = camera->back * (perspective ? length(through) : 1.0f);
-  const float t = bounds_entry(frame, point, dir, -behind);
-  Ray ray;
-  ray.origin = vec_pack(vec_point(point, dir, t));
-  ray.pixel = pixel;
-  ray.dir = vec_pack(dir);
-  ray.sample = sample;
-  ray.weight = vec_pack((float3)(1.0f));
-  ray.seed = frame->seed;
-  ray.heirs = frame->max_depth > SECONDARY_DEPTH_WHOLE ? (float)SECONDARY_RAYS_MAX : INFINITY;
-  ray.start = behind + t;
-  return ray;
+  const float axis[3] = {camera->axis.x, camera->axis.y, camera->axis.z};
+  const float forward[3] = {camera->forward.x, camera->forward.y, camera->forward.z};
+  const float right[3] = {camera->right.x, camera->right.y, camera->right.z};
+  const float up[3] = {camera->up.x, camera->up.y, camera->up.z};
+  floatW x, y, point[3], through[3];
+  film_positions(frame, pixels, samples, &x, &y);
+  for (int c = 0; c < 3; ++c) {
+    const floatW offset = x * right[c] + y * up[c];
+    through[c] = perspective ? forward[c] + offset : (floatW)(forward[c]);
+    point[c] = axis[c] + (perspective ? camera->back * offset : offset);
+  }
+  floatW length = (floatW)(1.0f);
+  if (perspective) length = sqrt(through[0] * through[0] + through[1] * through[1] + through[2] * through[2]);
+  CameraRays rays;
+  for (int c = 0; c < 3; ++c) rays.dir[c] = through[c] / length + 0.0f;  // + 0 turns -0.0 into 0.0
+  const floatW behind = camera->back * length, t = bounds_entry(frame, point, rays.dir, -behind);
+  for (int c = 0; c < 3; ++c) rays.origin[c] = mad_exact(t, rays.dir[c], point[c]);
+  rays.start = behind + t;
+  return rays;
 }
 
 #endif

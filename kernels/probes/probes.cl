@@ -43,9 +43,16 @@ PROBE(probe_rng) {
 PROBE(probe_camera) {
   PROBE_ITEM;
   __global const uint* v = (__global const uint*)(in + 2 * item);
-  const Ray ray = camera_ray(frame, v[0], v[1]);
-  probe_store3(vec_unpack(ray.origin), out + 6 * item);
-  probe_store3(vec_unpack(ray.dir), out + 6 * item + 3);
+  uint pixels[W], samples[W];
+  for (int i = 0; i < W; ++i) {
+    pixels[i] = v[0];
+    samples[i] = v[1];
+  }
+  const CameraRays rays = camera_rays(frame, pixels, samples);
+  for (int c = 0; c < 3; ++c) {
+    out[6 * item + c] = lanes_last(rays.origin[c]);
+    out[6 * item + 3 + c] = lanes_last(rays.dir[c]);
+  }
 }
 
 // in: phase as bits, g, before, after. out: value

@@ -47,10 +47,11 @@ TEST(Devices, RusticlAgreesWithTheReference) {
 // itself. Instances come out wrong there for W rays at once, as it warns itself, and right for one.
 TEST(Devices, LongRusticlAgreesInScenesOfEveryKind) {
   if (!has("RUSTICL_ENABLE=llvmpipe", "llvmpipe")) GTEST_SKIP() << "no rusticl on llvmpipe (package mesa-opencl-icd)";
-  for (const char* row : {"4 --filter image/surfaces", "4 --filter image/mirrors_deep", "4 --filter image/area_lights",
-                          "4 --filter image/occlusion", "4 --filter image/fog_two", "4 --filter image/fog_grid",
-                          "4 --filter image/fog_ratio", "4 --filter image/adaptive_grid", "1 --filter image/adaptive_media",
-                          "4 --filter image/glass", "4 --filter image/liquid_box", "1 --filter image/instances"})
+  for (const char* row :
+       {"4 --filter image/surfaces", "4 --filter image/mirrors_deep", "4 --filter image/area_lights",
+        "4 --filter image/occlusion", "4 --filter image/fog_two", "4 --filter image/fog_grid",
+        "4 --filter image/fog_ratio", "4 --filter image/adaptive_grid", "1 --filter image/adaptive_media",
+        "4 --filter image/glass", "4 --filter image/liquid_box", "1 --filter image/instances"})
     expect_passes("RUSTICL_ENABLE=llvmpipe timeout 300 " BRUME_BINARY " check --device llvmpipe --size 8 --lanes " +
                   std::string(row));
 }

@@ -7,13 +7,12 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "film/film_write.hpp"
+#include "pilot/looks.hpp"
 
 namespace brume {
 
 namespace {
 
-constexpr double LOOK_PIXELS = 16384;  // of a first look at most: fewer miss small parts that are bright
 constexpr int PANEL_PIXELS = 96, PANEL_LEAST = 24;
 constexpr double PANEL_SHARE = 0.2;  // of the time of the coarsest picture
 constexpr double PANEL_SECONDS_LEAST = 0.08, PANEL_SECONDS_MOST = 0.5;
@@ -30,54 +29,7 @@ constexpr double GRID_FROM = 0.05;  // s: less than the kernels of a first light
 constexpr double EQUAL = 1.2;       // errors of which the quicker is taken where none is good enough
 constexpr double TIMED = 2;         // times the quickest: near enough to be timed against it
 constexpr std::size_t TIMED_MOST = 4;
-constexpr double TIMED_SHARE = 0.03, TIMED_PIXELS_LEAST = 128;  // of the picture's pixels
-constexpr double TIMED_FROM = 0.1;                              // s: quicker pictures are not worth it
-
-// Pixels from all over the picture: every first part of a sequence by the golden ratio is spread over all of it.
-WorkList work_spread(const WorkList& all) {
-  const auto count = static_cast<std::size_t>(std::max(TIMED_SHARE * double(all.size()), TIMED_PIXELS_LEAST));
-  std::set<std::size_t> chosen;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double at = double(i) * 0.6180339887498949;
-    chosen.insert(static_cast<std::size_t>((at - std::floor(at)) * double(all.size())));
-  }
-  WorkList work;
-  for (const std::size_t i : chosen) work.push_back(all[i]);
-  return work;
-}
-
-// The middles of squares of pixels, as large ones as leave few enough; and what they show in all pixels of theirs.
-struct Look {
-  explicit Look(const Frame& frame)
-      : x0(frame.crop_x0),
-        y0(frame.crop_y0),
-        width(frame.crop_x1 - x0),
-        height(frame.crop_y1 - y0),
-        side(static_cast<int>(std::ceil(std::sqrt(double(width) * height / LOOK_PIXELS)))) {}
-
-  int middle(int at, int size) const { return std::min(at - at % side + side / 2, size - 1); }
-
-  WorkList work(const WorkList& all, int film_width) const {
-    WorkList chosen;
-    for (const PixelWork& work : all) {
-      const int x = static_cast<int>(work.pixel) % film_width - x0, y = static_cast<int>(work.pixel) / film_width - y0;
-      if (middle(x, width) == x && middle(y, height) == y) chosen.push_back(work);
-    }
-    return chosen;
-  }
-
-  Image picture(const Film& film) const {
-    Film shown({width, height});
-    for (int y = 0; y < height; ++y)
-      for (int x = 0; x < width; ++x)
-        shown.pixels()[std::size_t(y) * std::size_t(width) + std::size_t(x)] =
-            film.pixels()[std::size_t(y0 + middle(y, height)) * std::size_t(film.size().x) +
-                          std::size_t(x0 + middle(x, width))];
-    return film_image(shown);
-  }
-
-  int x0, y0, width, height, side;
-};
+constexpr double TIMED_FROM = 0.1;  // s: quicker pictures are not worth it
 
 // What a pixel costs, in density lookups: for its samples and shadow rays in themselves, too. Counts tell candidates
 // apart where a few pixels are over too soon to be timed.

@@ -1,4 +1,4 @@
-// What pieces and equal steps err by in each brick of a grid, whatever the tolerance: measured once, used by every plan.
+// What pieces and equal steps err by in each brick of a grid, whatever the tolerance: measured once for every plan.
 #pragma once
 #include <array>
 #include <cstdint>

@@ -19,8 +19,8 @@ void plan_lights(const SceneDesc& desc, const FlatScene& scene, RenderPlan& plan
 // Throws InputError where they have more entries than kernels count.
 std::vector<int> light_grids_plan(const SceneDesc& desc, const std::vector<Medium>& media, RenderPlan& plan);
 
-// What `adaptive` needs to know of a medium, for this tolerance; adds to RenderPlan::piece_rates and, where they are not
-// known yet, to the errors.
+// What `adaptive` needs to know of a medium, for this tolerance; adds to RenderPlan::piece_rates, and to the errors
+// where they are not known yet.
 void adaptive_plan(double tolerance, const FlatScene& scene, std::size_t medium, PieceErrors& known, RenderPlan& plan);
 
 // Throws InputError where the steps of marched media ask for more lookups than can be meant.

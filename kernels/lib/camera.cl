@@ -1,8 +1,8 @@
 // Film position of a sample and the ray through it. Definitions: PICTURE, Pixel positions and Camera rays.
 #ifndef BRUME_LIB_CAMERA_CL
 #define BRUME_LIB_CAMERA_CL
-#include "lib/lanes.cl"
 #include "lib/rng.cl"
+#include "lib/slab.cl"
 #include "lib/sobol.cl"
 #include "shared/frame.h"
 
@@ -14,30 +14,17 @@ static inline float2 pixel_position(uint pixel, uint sample, uint spp, uint seed
 
 // W camera rays side by side, in the world.
 typedef struct {
-  floatW origin[3], dir[3];
+  LaneVectors origin, dir;
   floatW start;  // how far before its origin each begins
 } CameraRays;
 
-// slab_cut for W rays.
-static inline intW slab_cut_lanes(float lo, float hi, floatW o, floatW d, floatW* t0, floatW* t1) {
-  const floatW inv_d = 1.0f / d;
-  const intW crosses = fabs(inv_d) < (floatW)(INFINITY);
-  const float rounding = 2e-7f * (fabs(lo) + fabs(hi));
-  const intW between = (o >= (floatW)(lo - rounding)) & (o <= (floatW)(hi + rounding));
-  const floatW a = (lo - o) * inv_d, b = (hi - o) * inv_d;
-  *t0 = lanes_select(*t0, fmax_ordered(*t0, fmin_ordered(a, b)), crosses);
-  *t1 = lanes_select(*t1, fmin_ordered(*t1, fmax_ordered(a, b)), crosses);
-  return lanes_select(between, (intW)(-1), crosses);
-}
-
 // t from which each ray is inside the frame's bounds, at least `first`; 0 where it misses them.
-static inline floatW bounds_entry(__constant const Frame* frame, const floatW* point, const floatW* dir, floatW first) {
+static inline floatW bounds_entry(__constant const Frame* frame, const LaneVectors* point, const LaneVectors* dir,
+                                  floatW first) {
   floatW t0 = first, t1 = (floatW)(INFINITY);
   if (!(frame->bounds_lo.x < frame->bounds_hi.x)) return (floatW)(0.0f);
-  const intW hits = slab_cut_lanes(frame->bounds_lo.x, frame->bounds_hi.x, point[0], dir[0], &t0, &t1) &
-                    slab_cut_lanes(frame->bounds_lo.y, frame->bounds_hi.y, point[1], dir[1], &t0, &t1) &
-                    slab_cut_lanes(frame->bounds_lo.z, frame->bounds_hi.z, point[2], dir[2], &t0, &t1);
-  return lanes_select((floatW)(0.0f), t0, hits & (t0 <= t1));
+  const intW hits = lanes_box_cut(vec_unpack(frame->bounds_lo), vec_unpack(frame->bounds_hi), point, dir, &t0, &t1);
+  return lanes_select((floatW)(0.0f), t0, hits);
 }
 
 // Film coordinates of these samples.
@@ -62,19 +49,20 @@ static inline CameraRays camera_rays(__constant const Frame* frame, const uint* 
   const float forward[3] = {camera->forward.x, camera->forward.y, camera->forward.z};
   const float right[3] = {camera->right.x, camera->right.y, camera->right.z};
   const float up[3] = {camera->up.x, camera->up.y, camera->up.z};
-  floatW x, y, point[3], through[3];
+  floatW x, y, through[3];
+  LaneVectors point;
   film_positions(frame, pixels, samples, &x, &y);
   for (int c = 0; c < 3; ++c) {
     const floatW offset = x * right[c] + y * up[c];
     through[c] = perspective ? forward[c] + offset : (floatW)(forward[c]);
-    point[c] = axis[c] + (perspective ? camera->back * offset : offset);
+    point.v[c] = axis[c] + (perspective ? camera->back * offset : offset);
   }
   floatW length = (floatW)(1.0f);
   if (perspective) length = sqrt(through[0] * through[0] + through[1] * through[1] + through[2] * through[2]);
   CameraRays rays;
-  for (int c = 0; c < 3; ++c) rays.dir[c] = through[c] / length + 0.0f;  // + 0 turns -0.0 into 0.0
-  const floatW behind = camera->back * length, t = bounds_entry(frame, point, rays.dir, -behind);
-  for (int c = 0; c < 3; ++c) rays.origin[c] = mad_exact(t, rays.dir[c], point[c]);
+  for (int c = 0; c < 3; ++c) rays.dir.v[c] = through[c] / length + 0.0f;  // + 0 turns -0.0 into 0.0
+  const floatW behind = camera->back * length, t = bounds_entry(frame, &point, &rays.dir, -behind);
+  for (int c = 0; c < 3; ++c) rays.origin.v[c] = mad_exact(t, rays.dir.v[c], point.v[c]);
   rays.start = behind + t;
   return rays;
 }

@@ -45,6 +45,22 @@ static inline float3 affine_dir(const Affine* a, float3 d) {
                   mad_exact(a->m[8], d.x, mad_exact(a->m[9], d.y, a->m[10] * d.z)));
 }
 
+// Components of W vectors.
+typedef struct {
+  floatW v[3];
+} LaneVectors;
+
+// Both of W vectors: components of points, or of directions.
+static inline LaneVectors lanes_mapped(const Affine* a, const LaneVectors* v, int is_point) {
+  LaneVectors r;
+  for (int k = 0; k < 3; ++k) {
+    const float* m = a->m + 4 * k;
+    const floatW z = is_point ? mad_exact((floatW)(m[2]), v->v[2], (floatW)(m[3])) : m[2] * v->v[2];
+    r.v[k] = mad_exact((floatW)(m[0]), v->v[0], mad_exact((floatW)(m[1]), v->v[1], z));
+  }
+  return r;
+}
+
 // A normal, or a gradient, of the space that the map leads to, in the one it comes from: by its transpose.
 static inline float3 affine_normal(const Affine* a, float3 n) {
   return n.x * (float3)(a->m[0], a->m[1], a->m[2]) + n.y * (float3)(a->m[4], a->m[5], a->m[6]) +

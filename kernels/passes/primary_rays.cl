@@ -33,8 +33,8 @@ OUTLINED void rays_begin(const Scene* scene, __global const Work* work, uint ent
   const CameraRays all = camera_rays(frame, pixels, samples);
   float origin[3][W], dir[3][W], start[W];
   for (int c = 0; c < 3; ++c) {
-    lanes_store(all.origin[c], origin[c]);
-    lanes_store(all.dir[c], dir[c]);
+    lanes_store(all.origin.v[c], origin[c]);
+    lanes_store(all.dir.v[c], dir[c]);
   }
   lanes_store(all.start, start);
   for (int i = 0; i < count; ++i) {

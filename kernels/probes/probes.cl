@@ -50,8 +50,8 @@ PROBE(probe_camera) {
   }
   const CameraRays rays = camera_rays(frame, pixels, samples);
   for (int c = 0; c < 3; ++c) {
-    out[6 * item + c] = lanes_last(rays.origin[c]);
-    out[6 * item + 3 + c] = lanes_last(rays.dir[c]);
+    out[6 * item + c] = lanes_last(rays.origin.v[c]);
+    out[6 * item + 3 + c] = lanes_last(rays.dir.v[c]);
   }
 }
 

@@ -70,35 +70,13 @@ static inline floatW quad_hit_lanes(const Shape* shape, const RayPacket* rays) {
   return lanes_select(LANES_MISS, t, (t < INFINITY) & (u >= 0.0f) & (u <= 1.0f) & (v >= 0.0f) & (v <= 1.0f));
 }
 
-// Components of points (`w` 1) or directions (0) in the space of an affine map, by affine_point and affine_dir.
-static inline LaneVectors lanes_mapped(const Affine* a, const LaneVectors* v, int is_point) {
-  LaneVectors r;
-  for (int k = 0; k < 3; ++k) {
-    const float* m = a->m + 4 * k;
-    const floatW z = is_point ? mad_exact((floatW)(m[2]), v->v[2], (floatW)(m[3])) : m[2] * v->v[2];
-    r.v[k] = mad_exact((floatW)(m[0]), v->v[0], mad_exact((floatW)(m[1]), v->v[1], z));
-  }
-  return r;
-}
-
-// slab_cut
-static inline intW lanes_slab_cut(floatW lo, floatW hi, floatW o, floatW d, floatW* t0, floatW* t1) {
-  const floatW inv_d = 1.0f / d, rounding = 2e-7f * (fabs(lo) + fabs(hi));
-  const intW crosses = fabs(inv_d) < INFINITY;
-  const floatW a = (lo - o) * inv_d, b = (hi - o) * inv_d;
-  *t0 = lanes_select(*t0, fmax_ordered(*t0, fmin_ordered(a, b)), crosses);
-  *t1 = lanes_select(*t1, fmin_ordered(*t1, fmax_ordered(a, b)), crosses);
-  return crosses | ((o >= lo - rounding) & (o <= hi + rounding));
-}
-
 static inline floatW box_hit_lanes(const Shape* shape, const RayPacket* rays) {
   const Affine unit_from_world = shape_affine(shape);
   const LaneVectors o = lanes_mapped(&unit_from_world, &rays->origin, 1),
                     d = lanes_mapped(&unit_from_world, &rays->dir, 0);
   floatW t0 = (floatW)(-INFINITY), t1 = (floatW)(INFINITY);
-  intW inside = (intW)(-1);
-  for (int k = 0; k < 3; ++k) inside &= lanes_slab_cut((floatW)(0.0f), (floatW)(1.0f), o.v[k], d.v[k], &t0, &t1);
-  return lanes_select(LANES_MISS, lanes_first_positive(t0, t1), inside & (t0 <= t1));
+  const intW inside = lanes_box_cut((float3)(0.0f), (float3)(1.0f), &o, &d, &t0, &t1);
+  return lanes_select(LANES_MISS, lanes_first_positive(t0, t1), inside);
 }
 
 static inline LaneVectors lanes_in_cylinder(const Cylinder* c, const LaneVectors* v) {

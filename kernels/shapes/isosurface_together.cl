@@ -37,11 +37,9 @@ static inline void walks_begin(const Medium* grid, const RayPacket* rays, LanesW
   const LaneVectors d = lanes_mapped(&grid->cell_from_world, &rays->dir, 0);
   const float lo[3] = {grid->lo.x, grid->lo.y, grid->lo.z}, hi[3] = {grid->hi.x, grid->hi.y, grid->hi.z};
   floatW t0 = (floatW)(0.0f), t1 = (floatW)(INFINITY);
-  intW inside = (intW)(-1);
-#pragma unroll
-  for (int k = 0; k < 3; ++k) inside &= lanes_slab_cut((floatW)(lo[k]), (floatW)(hi[k]), o.v[k], d.v[k], &t0, &t1);
+  const intW inside = lanes_box_cut(vec_unpack(grid->lo), vec_unpack(grid->hi), &o, &d, &t0, &t1);
   w->t_begin = t0;
-  w->length = lanes_select((floatW)(0.0f), t1 - t0, inside & (t0 <= t1));
+  w->length = lanes_select((floatW)(0.0f), t1 - t0, inside);
 #pragma unroll
   for (int k = 0; k < 3; ++k) {
     const floatW entry = mad_exact(t0, d.v[k], o.v[k]);

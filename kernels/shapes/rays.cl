@@ -16,11 +16,6 @@ typedef struct {
   int primitive[W], instance[W];
 } RayLanes;
 
-// Components of W vectors.
-typedef struct {
-  floatW v[3];
-} LaneVectors;
-
 typedef struct {
   LaneVectors origin, dir;
 } RayPacket;

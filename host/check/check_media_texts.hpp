@@ -155,6 +155,16 @@ constexpr SceneText MEDIA_SCENES[] = {
             {"bounds": [[-0.2, -0.5, -0.7], [1, 0.7, 0.5]], "density": {"type": "constant"}, "sigma_a": [0.1, 0.3, 0.6], "sigma_s": 0.4},
             {"bounds": [[-1, -0.9, -0.8], [1, 0, 0.8]], "density": {"type": "exponential", "resolution": [9, 40, 9]}, "sigma_s": 1.5, "method": "march_midpoint"}],
   "render": {"method": "adaptive", "tolerance": 0.003}})"},
+    {"adaptive_faint", R"({
+  "camera": {"eye": [1.4, 1, 3], "target": [0, 0, 0], "vfov": 45}, "background": [0.1, 0.1, 0.1],
+  "lights": [{"type": "directional", "direction": [-1, -1, -0.4], "irradiance": 3}, {"type": "point", "position": [1.2, 0.9, 0.4], "intensity": 2},
+             {"type": "point", "position": [-1.3, 0.4, 0.7], "intensity": 0.00024}, {"type": "point", "position": [0.2, -1.4, 0.9], "intensity": 0.00008}],
+  "materials": {"ember": {"emission": [0.001, 0.0005, 0.0002]}},
+  "shapes": [{"type": "sphere", "center": [-0.2, 0.9, 0.4], "radius": 0.25, "material": "ember"}],
+  "media": [{"bounds": [[-1, -0.6, -0.6], [0.3, 0.6, 0.6]], "density": {"type": "perlin", "resolution": [33, 32, 30], "scale": 3, "seed": 5},
+             "sigma_a": 0.2, "sigma_s": [2, 1, 0.5]},
+            {"bounds": [[-0.2, -0.5, -0.7], [1, 0.7, 0.5]], "density": {"type": "constant"}, "sigma_a": [0.1, 0.3, 0.6], "sigma_s": 0.4}],
+  "render": {"method": "adaptive", "tolerance": 0.0002}})"},
     {"adaptive_grid", R"({
   "camera": {"eye": [1.9, 1.1, 2.6], "target": [0, 0, 0], "vfov": 40}, "background": [0.1, 0.1, 0.2],
   "lights": [{"type": "directional", "direction": [-0.5, -1, -0.3], "irradiance": 3}, {"type": "point", "position": [0.5, 0.9, 0.4]}],

@@ -80,6 +80,7 @@ void adaptive_plan(double tolerance, const FlatScene& flat, std::size_t medium, 
   walk.tolerance = static_cast<float>(tolerance);
   walk.tau_part = static_cast<float>(std::clamp(std::pow(270 * tolerance, 0.25), 1.0 / 64, 1.0));
   walk.tau_lit = static_cast<float>(std::clamp(std::log(16 / tolerance), 1.0, 24.0));
+  walk.light_grade = static_cast<float>(std::clamp(0.5 * std::pow(36 * tolerance, 0.25), double(LIGHT_GRADE), 0.5));
   const PlacedGrid& placed = flat.placed[static_cast<std::size_t>(medium_placed(flat.media[medium]))];
   if (placed.grid < 0) {
     walk.step = static_cast<float>(flat.sizes[medium].longest * std::min(0.25, std::pow(tolerance, 0.25)));

@@ -7,6 +7,9 @@
 
 namespace brume {
 
+// Steps through a constant medium near a light, as shares of the distance to it (PICTURE, Lit steps).
+inline constexpr float LIGHT_GRADE = 0.1f;
+
 // Camera, film and what "render" says of rays.
 void plan_camera(const SceneDesc& desc, const FlatScene& scene, Frame& frame);
 

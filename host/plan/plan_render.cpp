@@ -52,7 +52,7 @@ MediumWalk walk_plan(const SceneDesc& desc, const MediumDesc& m, const FlatScene
   const int method = method_resolve(desc, m);
   if (takes_constant(desc, m) != is_constant(flat, medium))
     throw InputError(desc.file.string() + ": " + m.place + ": the scene was flattened for another kind of method");
-  MediumWalk walk{method, 0, 0, -1, 0, 0, 0, 0, 0, 0};
+  MediumWalk walk{method, 0, LIGHT_GRADE, 0, -1, 0, 0, 0, 0, 0, 0};
   walk.step = static_cast<float>(m.step.value_or(desc.render.step) * flat.sizes[medium].longest);
   if (m.type == MEDIUM_LIQUID && m.liquid.slices) {
     walk.step = static_cast<float>(slice_distance(flat, medium, frame, *m.liquid.slices));

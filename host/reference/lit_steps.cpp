@@ -82,7 +82,7 @@ double step_at(const Context& context, const Medium& medium, const RayD& ray, co
     if (is_near_spot(light) && !light_at(context.scene, light, middle, {}).shines()) continue;
     lit = true;
     if (light.type != LIGHT_DIRECTIONAL && !is_far(light))
-      longest = std::min(longest, 0.1 * light_apart(medium, light, ray, t));
+      longest = std::min(longest, medium.light_grade * light_apart(medium, light, ray, t));
   }
   return lit ? std::max(longest, medium.step / 1024.0) : INFINITE;
 }

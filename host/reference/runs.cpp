@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <numeric>
 #include <optional>
 
 #include "reference/glass.hpp"
@@ -14,6 +15,7 @@ namespace brume::reference {
 namespace {
 
 constexpr std::size_t SPAN = 4;
+constexpr double FAINT = 1 / 4.0, UNASKED = 1 / 8.0;  // of the tolerance
 
 double sum_of(const dvec3& v) { return v.x + v.y + v.z; }
 
@@ -21,14 +23,14 @@ double sum_of(const dvec3& v) { return v.x + v.y + v.z; }
 class LightRun {
  public:
   LightRun(const Context& context, const Medium& medium, std::size_t light, const RayD& ray,
-           const std::vector<RunPoint>& points, double inside, double seen, Scattered& result)
+           const std::vector<RunPoint>& points, double inside, RunsBefore& before, Scattered& result)
       : context_(context),
         light_(light),
         ray_(ray),
         points_(points),
         tolerance_(medium.tolerance),
         inside_(inside),
-        seen_(seen),
+        before_(before),
         result_(result),
         lit_(points.size()),
         passed_(points.size(), dvec3(0)) {
@@ -47,9 +49,16 @@ class LightRun {
     const auto first = static_cast<std::size_t>(from - weights_.begin());
     const auto last =
         static_cast<std::size_t>(weights_.rend() - std::find_if(weights_.rbegin(), weights_.rend(), sends)) - 1;
+    const dvec3 all = std::accumulate(from, weights_.end(), dvec3(0));
+    if (before_.faint + sum_of(all) <= tolerance_ * UNASKED * before_.seen) {
+      before_.faint += sum_of(all);
+      result_.error += sum_of(all) / 6;
+      return all / 2.0;
+    }
     ask(first);
-    for (std::size_t a = first; a < last; a += SPAN) {
-      const std::size_t b = std::min(a + SPAN, last);
+    const std::size_t span = is_faint(weight_between(first, last)) ? points_.size() : SPAN;
+    for (std::size_t a = first; a < last; a += span) {
+      const std::size_t b = std::min(a + span, last);
       ask(b);
       between(a, b);
     }
@@ -83,6 +92,14 @@ class LightRun {
                                                        points_[i].random.child(stream), result_.lookups));
   }
 
+  // Of the points strictly between two.
+  dvec3 weight_between(std::size_t a, std::size_t b) const {
+    dvec3 sum(0);
+    for (std::size_t i = a + 1; i < b; ++i) sum += weights_[i];
+    return sum;
+  }
+  bool is_faint(const dvec3& weight) const { return sum_of(weight) <= tolerance_ * FAINT * before_.seen; }
+
   // What a point stands for: half of its segment.
   struct Half {
     double begin, end;
@@ -100,7 +117,7 @@ class LightRun {
   dvec3 edge_moves(std::size_t i) const {
     const dvec3 sends = weights_[i] + weights_[i + 1];
     if (!lit_[i] || !lit_[i + 1] || *lit_[i] == *lit_[i + 1]) return dvec3(0);
-    if (sum_of(sends * (passed_[i] + passed_[i + 1])) <= tolerance_ / 4 * seen_) return dvec3(0);
+    if (is_faint(sends * (passed_[i] + passed_[i + 1]))) return dvec3(0);
     const auto unblocked = [&](double t) {
       const LightSample sample = light_at(context_.scene, context_.scene.lights[light_], ray_.at(t), points_[i].places);
       return sample.distance == 0 ||
@@ -116,11 +133,10 @@ class LightRun {
   // Points strictly between two that have been asked.
   void between(std::size_t a, std::size_t b) {
     if (b - a < 2) return;
-    dvec3 weight(0);
-    for (std::size_t i = a + 1; i < b; ++i) weight += weights_[i];
+    const dvec3 weight = weight_between(a, b);
     const double from = points_[a].t, to = points_[b].t;
     const auto line = [&](double t) { return passed_[a] + (passed_[b] - passed_[a]) * ((t - from) / (to - from)); };
-    if (sum_of(weight) <= tolerance_ / 4 * seen_) {
+    if (is_faint(weight)) {
       for (std::size_t i = a + 1; i < b; ++i) passed_[i] = line(points_[i].t);
       return;
     }
@@ -133,7 +149,7 @@ class LightRun {
       between(m, b);
       return;
     }
-    if (off > tolerance_ * (seen_ + sum_of(weight * mean))) {
+    if (off > tolerance_ * (before_.seen + sum_of(weight * mean))) {
       between(a, m);
       between(m, b);
       return;
@@ -155,7 +171,8 @@ class LightRun {
   std::size_t light_;
   const RayD& ray_;
   const std::vector<RunPoint>& points_;
-  double tolerance_, inside_, seen_;
+  double tolerance_, inside_;
+  RunsBefore& before_;
   Scattered& result_;
   std::vector<std::optional<bool>> lit_;  // V ≠ 0 of those that were asked
   std::vector<dvec3> weights_, passed_;   // of each point: what it sends if nothing is in the way; V · T
@@ -164,14 +181,14 @@ class LightRun {
 }  // namespace
 
 dvec3 run_radiance(const Context& context, int index, const RayD& ray, const std::vector<RunPoint>& points,
-                   double inside, double& seen, Scattered& result) {
+                   double inside, RunsBefore& before, Scattered& result) {
   dvec3 sum(0);
   for (std::size_t light = 0; light < context.scene.lights.size(); ++light) {
     const dvec3 its =
-        LightRun(context, context.media[static_cast<std::size_t>(index)], light, ray, points, inside, seen, result)
+        LightRun(context, context.media[static_cast<std::size_t>(index)], light, ray, points, inside, before, result)
             .radiance();
     sum += its;
-    seen += sum_of(its);
+    before.seen += sum_of(its);
   }
   return sum;
 }

@@ -15,9 +15,14 @@ struct RunPoint {
 
 inline constexpr std::size_t RUN_POINTS = 64;
 
-// What medium `index`, of which the ray passes `inside`, scatters to its origin from a run of points. `seen` is the
-// light, summed over the channels, that the ray got before, and grows.
+// Light, summed over the channels, of a ray so far: it grows with every run.
+struct RunsBefore {
+  double seen = 0;   // that the ray got
+  double faint = 0;  // of lights that were asked nowhere, if nothing were in the way
+};
+
+// What medium `index`, of which the ray passes `inside`, scatters to its origin from a run of points.
 dvec3 run_radiance(const Context& context, int index, const RayD& ray, const std::vector<RunPoint>& points,
-                   double inside, double& seen, Scattered& result);
+                   double inside, RunsBefore& before, Scattered& result);
 
 }  // namespace brume::reference

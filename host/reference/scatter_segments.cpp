@@ -35,7 +35,7 @@ struct SegmentWalk {
   std::vector<LightKink> kinks{};                      // along that
   double inside = 0;                                   // length of the ray's way through the medium
   std::vector<RunPoint> run{};                         // of `adaptive`, while its light is traced
-  double seen = 0;                                     // light before it
+  RunsBefore runs_before{};                            // light before it
   double squares = 0, seen_squares = 0, all_gain = 0;  // of what its pieces err by, also as it is seen; ∫ρT
 
   bool adapts() const { return method == METHOD_ADAPTIVE; }
@@ -163,7 +163,7 @@ struct SegmentWalk {
   }
 
   void run_shine() {
-    result.radiance += run_radiance(context, index, ray, run, inside, seen, result);
+    result.radiance += run_radiance(context, index, ray, run, inside, runs_before, result);
     run.clear();
   }
 
@@ -213,7 +213,7 @@ void medium_segments(const Context& context, int index, const RayD& ray, double 
       scattering.depths.emplace_back(context, other, ray, t_max, random.child(static_cast<uint>(other)),
                                      result.lookups);
   const auto sum = [&] { return result.radiance.x + result.radiance.y + result.radiance.z; };
-  const double before = scattering.seen = sum();
+  const double before = scattering.runs_before.seen = sum();
   scattering.walk_all(t_max);
   scattering.run_shine();
   if (scattering.all_gain > 0)

@@ -6,7 +6,6 @@
 #include "media/kinks.cl"
 
 #define KINK_APART 0x1p-16f            // of the ray inside the medium: kinks closer than that are one
-#define LIGHT_GRADE 0.1f               // of the distance to a light: no step near it is longer
 #define GRADE_FINEST (1.0f / 1024.0f)  // of a step: no shorter for that
 
 typedef struct {
@@ -64,7 +63,7 @@ static inline float lit_step(const Scene* scene, const Stretch* stretch, const L
       continue;
     lit = 1;
     if (LIGHT_IS(&light, DIRECTIONAL) || light.exponent != 0) continue;
-    longest = fmin(longest, LIGHT_GRADE * light_apart(stretch, &light, k->s));
+    longest = fmin(longest, stretch->medium->light_grade * light_apart(stretch, &light, k->s));
   }
   return lit ? fmax(longest, GRADE_FINEST * step) : INFINITY;
 }

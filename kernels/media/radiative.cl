@@ -167,6 +167,7 @@ static inline Tau medium_scatter(const Scene* scene, int m, float3 origin, float
                    vec_max(vec_unpack(medium.sigma_s)) > 0.0f;
   Run run;
   run.count = 0;
+  run.faint = 0.0f;
   run.seen = radiance->sum.x + radiance->sum.y + radiance->sum.z;
   const float before = vec_mean(radiance->sum);
   Rough rough = {0.0f, 0.0f, 0.0f};

@@ -9,6 +9,7 @@
 #define RUN_DEPTH 4                 // of intervals that are cut into halves: 2^(RUN_DEPTH - 2) >= RUN_SPAN
 #define RUN_WIDE (33.0f / 1024.0f)  // of the ray's way through the medium: no whole number of equal steps
 #define RUN_FAINT 0.25f             // of the tolerance: points that could send no more than that are not asked
+#define RUN_UNASKED 0.125f          // and so much all lights that are asked nowhere
 
 typedef struct {
   int count;
@@ -17,7 +18,8 @@ typedef struct {
 #if BRUME_RANDOM
   uint id[RUN_POINTS];
 #endif
-  float seen;  // light that the ray got so far: sum over channels
+  float seen;   // light that the ray got so far: sum over channels
+  float faint;  // what lights would have sent that were not asked
 } Run;
 
 // One light at the points of a run.
@@ -156,11 +158,12 @@ static inline void run_fill(const Run* run, int a, int m, int b, RunLight* light
   }
 }
 
-// What gets through of light l to all points that it may reach: asks at intervals of RUN_SPAN points, and between them
-// where it bends. One call of run_ask: every call site is compiled anew.
+// What gets through of light l to all points that it may reach: asks at intervals of RUN_SPAN points, or at both ends
+// where all between is faint, and in an interval where it bends. One call of run_ask: every call site is compiled anew.
 static inline void run_pass(const Scene* scene, const Stretch* s, const Run* run, int l, RunLight* light,
                             MediumResult* result) {
   const float tolerance = s->medium->tolerance;
+  const int span = run_is_faint(run, light, light->first, light->last, tolerance) ? RUN_POINTS : RUN_SPAN;
   int ends[RUN_DEPTH], depth = 0, known = -1, middle = 0, ask = light->first;
   for (;;) {
     run_ask(scene, s, run, l, ask, light, result);
@@ -182,7 +185,7 @@ static inline void run_pass(const Scene* scene, const Stretch* s, const Run* run
     }
     middle = depth > 0;
     if (!middle && known == light->last) return;
-    ask = middle ? (known + ends[depth - 1]) / 2 : min(known + RUN_SPAN, light->last);
+    ask = middle ? (known + ends[depth - 1]) / 2 : min(known + span, light->last);
   }
 }
 
@@ -242,20 +245,38 @@ static inline void run_edges(const Scene* scene, const Stretch* s, const Run* ru
 }
 #endif
 
+// Whether a light that may send so much is asked nowhere: it and all of those before it are too faint.
+static inline int run_unasked(const Stretch* s, Run* run, float sends) {
+  if (!(run->faint + sends <= s->medium->tolerance * RUN_UNASKED * run->seen)) return 0;
+  run->faint += sends;
+  return 1;
+}
+
 // What the run sends to the origin; it is empty then.
 OUTLINED float3 run_shine(const Scene* scene, const Stretch* s, Run* run, MediumResult* result) {
   float3 sum = (float3)(0.0f);
   RunLight light;
   for (int l = 0; l < scene->frame->light_count; ++l) {
     if (!run_weigh(scene, s, run, l, &light)) continue;
-    run_pass(scene, s, run, l, &light, result);
+    const int last = light.last;
+    float sends = 0.0f;
+    for (int c = 0; c < TAU_CHANNELS; ++c) sends += light.upto[c][last];
+    const int unasked = run_unasked(s, run, sends);
+    if (unasked) {
+      result->error += (1.0f / 6.0f) * sends;
+    } else {
+      run_pass(scene, s, run, l, &light, result);
 #if HAS_SURFACES
-    if (scene->lights[l].type != LIGHT_SURFACE) run_edges(scene, s, run, l, &light, result);
+      if (scene->lights[l].type != LIGHT_SURFACE) run_edges(scene, s, run, l, &light, result);
 #endif
+    }
     float3 its = (float3)(0.0f);
-    for (int i = light.first; i <= light.last; ++i)
-      its += (float3)(light.weight[0][i] * light.passed[0][i], light.weight[1][i] * light.passed[RUN_COLOR(1)][i],
-                      light.weight[2][i] * light.passed[RUN_COLOR(2)][i]);
+    for (int i = light.first; i <= last; ++i) {
+      const float3 weight = (float3)(light.weight[0][i], light.weight[1][i], light.weight[2][i]);
+      its += unasked
+                 ? 0.5f * weight
+                 : weight * (float3)(light.passed[0][i], light.passed[RUN_COLOR(1)][i], light.passed[RUN_COLOR(2)][i]);
+    }
     sum += its;
     run->seen += its.x + its.y + its.z;
   }

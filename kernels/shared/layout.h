@@ -34,13 +34,13 @@
   STRUCT(MediumBody, F(sigma_a) F(density) F(sigma_s) F(glow) F(emission) F(phase) F(g) F(liquid))                     \
   STRUCT(Liquid, F(diffuse) F(outside) F(specular) F(inside) F(ambient) F(shininess) F(rate) F(gradients))             \
   STRUCT(GradientBrick, F(medium) F(x) F(y) F(z))                                                                      \
-  STRUCT(MediumWalk, F(method) F(step) F(track_sigma) F(light_grids) F(tolerance) F(tau_part) F(tau_lit)               \
-                         F(piece_rates) F(light_steps) F(slices))                                                      \
-  STRUCT(Medium,                                                                                                       \
-         F(cell_from_world) F(world_from_cell) F(lo) F(hi) F(brick_offset) F(cells_x) F(cells_y) F(cells_z)            \
-             F(brick_nx) F(brick_ny) F(brick_nz) F(interpolation) F(region) F(is_constant) F(constant_density)         \
-                 F(sigma_a) F(sigma_s) F(emission) F(phase) F(g) F(method) F(step) F(track_sigma) F(light_grids)       \
-                     F(tolerance) F(tau_part) F(tau_lit) F(piece_rates) F(light_steps) F(liquid) F(slices))            \
+  STRUCT(MediumWalk, F(method) F(step) F(light_grade) F(track_sigma) F(light_grids) F(tolerance) F(tau_part)           \
+                         F(tau_lit) F(piece_rates) F(light_steps) F(slices))                                           \
+  STRUCT(Medium, F(cell_from_world) F(world_from_cell) F(lo) F(hi) F(brick_offset) F(cells_x) F(cells_y) F(cells_z)    \
+                     F(brick_nx) F(brick_ny) F(brick_nz) F(interpolation) F(region) F(is_constant) F(constant_density) \
+                         F(sigma_a) F(sigma_s) F(emission) F(phase) F(g) F(method) F(step) F(light_grade)              \
+                             F(track_sigma) F(light_grids) F(tolerance) F(tau_part) F(tau_lit) F(piece_rates)          \
+                                 F(light_steps) F(liquid) F(slices))                                                   \
   STRUCT(Ray, F(origin) F(pixel) F(dir) F(sample) F(weight) F(seed) F(heirs) F(start) F(inside))                       \
   STRUCT(Hit, F(t) F(primitive) F(u) F(v) F(instance))                                                                 \
   STRUCT(MediumResult, F(transmittance) F(lookups) F(radiance) F(shadow_key) F(shadow_rays) F(error) F(tau_error))     \

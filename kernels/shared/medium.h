@@ -100,6 +100,7 @@ BRUME_LAYOUT(GradientBrick, 16);
 typedef struct {
   int method;         // Method, resolved: never auto
   float step;         // world length of a marching step
+  float light_grade;  // of the distance to a light: no step through a constant medium near it is longer
   float track_sigma;  // extinction per density at which trackers collide: the largest σt, or what makes a glow seen
   int light_grids;    // number of the first of its light grids, one per light; -1: light is traced
   float tolerance;    // of `adaptive`, as the next ones
@@ -109,7 +110,7 @@ typedef struct {
   int light_steps;    // rays to lights take equal steps of `step` instead of pieces
   int slices;         // of a liquid: steps end on planes across the view, `step` apart
 } MediumWalk;
-BRUME_LAYOUT(MediumWalk, 40);
+BRUME_LAYOUT(MediumWalk, 44);
 
 // All of it side by side, as kernels read it: one copy out of memory for every ray.
 typedef struct {
@@ -122,13 +123,13 @@ typedef struct {
   int phase;
   float g;
   int method;
-  float step, track_sigma;
+  float step, light_grade, track_sigma;
   int light_grids;
   float tolerance, tau_part, tau_lit;
   int piece_rates, light_steps;
   int liquid, slices;
 } Medium;
-BRUME_LAYOUT(Medium, 252);
+BRUME_LAYOUT(Medium, 256);
 
 #ifndef __OPENCL_C_VERSION__
 static inline int medium_placed(MediumBody body) { return body.density >= 0 ? body.density : body.glow; }
@@ -159,6 +160,7 @@ static inline Medium medium_join(const BrickGrid* grid, const PlacedGrid* placed
   m.g = body->g;
   m.method = walk->method;
   m.step = walk->step;
+  m.light_grade = walk->light_grade;
   m.track_sigma = walk->track_sigma;
   m.light_grids = walk->light_grids;
   m.tolerance = walk->tolerance;

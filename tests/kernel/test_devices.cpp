@@ -80,7 +80,7 @@ TEST_P(Oclgrind, ReportsNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Oclgrind,
                          testing::Values("image/fog_midpoint", "image/fog_grid_color", "image/fog_on_one_spot",
-                                         "image/surfaces", "image/shapes", "image/liquid_fog"),
+                                         "image/adaptive_faint", "image/surfaces", "image/shapes", "image/liquid_fog"),
                          [](const auto& scene) { return std::string(scene.param).substr(6); });
 
 }  // namespace

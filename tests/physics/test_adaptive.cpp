@@ -93,6 +93,32 @@ TEST(Adaptive, TakesFewerLookupsThanCells) {
   EXPECT_LT(adaptive(cloud, "1e-4").lookups, cells / 4);
 }
 
+// So many lamps around the cloud.
+std::string lamps(int count, const std::string& intensity) {
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * M_PI * i / count;
+    text += R"(, {"type": "point", "position": [)" + std::to_string(1.8 * std::cos(angle)) + ", 0.4, " +
+            std::to_string(1.8 * std::sin(angle)) + R"(], "intensity": )" + intensity + "}";
+  }
+  return text;
+}
+
+TEST(Adaptive, LampsThatHardlyCountAreHardlyAsked) {
+  const std::string cloud = "{" + CLOUD + R"(, "sigma_a": 0.3, "sigma_s": 2.5})";
+  const double sun = adaptive(lit(SUN, cloud), "0.01").lookups;
+  const auto beside = [&](const std::string& intensity) {
+    const std::string text = lit(SUN + lamps(24, intensity), cloud);
+    const Picture found = adaptive(text, "0.01");
+    EXPECT_LT(rel_rmse(found, picture(text, {}, 4)), 0.01) << intensity;
+    return found.lookups - sun;
+  };
+  const double bright = beside("1");
+  EXPECT_GT(bright, 12 * sun);
+  EXPECT_LT(beside("0.02"), bright / 2);
+  EXPECT_LT(beside("0.00001"), sun / 10);
+}
+
 TEST(Adaptive, AMediumMayHaveItsOwnTolerance) {
   const std::string medium = "{" + CLOUD + R"(, "sigma_s": 2, "method": "adaptive", "tolerance": 0.001})";
   EXPECT_EQ(picture(lit(SUN, medium), {}).lookups,

@@ -105,7 +105,7 @@ inline MediumRows medium_add_constant(PlannedScene& scene, const glm::dvec3& lo,
   body.phase = PHASE_ISOTROPIC;
   scene.placed.push_back(placed);
   scene.media.push_back(body);
-  scene.walks.push_back({METHOD_HOMOGENEOUS, 0.25f, 0, -1, 0, 0, 0, 0, 0, 0});
+  scene.walks.push_back({METHOD_HOMOGENEOUS, 0.25f, 0.1f, 0, -1, 0, 0, 0, 0, 0, 0});
   return {scene.placed.back(), scene.media.back(), scene.walks.back()};
 }
 

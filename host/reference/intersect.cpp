@@ -133,17 +133,35 @@ void triangles_hit(const PlannedScene& scene, std::size_t begin, std::size_t end
   }
 }
 
-bool may_meet(const TriangleBounds::Run& run, const RayD& ray, double t_max) {
-  const Span span = box_span(run.lo, run.hi, ray.origin, ray.dir);
-  return span.t0 <= span.t1 && span.t1 > 0 && span.t0 <= t_max;
+// `inverse` of the ray's direction. A ray along an axis gives infinities; on a face it gives NaN, which bounds nothing.
+bool may_meet(const TriangleBounds::Run& run, const RayD& ray, const dvec3& inverse, double t_max) {
+  double t0 = 0, t1 = t_max;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double a = (run.lo[axis] - ray.origin[axis]) * inverse[axis];
+    const double b = (run.hi[axis] - ray.origin[axis]) * inverse[axis];
+    t0 = std::max(t0, std::min(a, b));
+    t1 = std::min(t1, std::max(a, b));
+  }
+  return t0 <= t1;
+}
+
+// Of runs, in the space of the ray.
+void runs_hit(const PlannedScene& scene, const TriangleBounds::Runs& runs, int instance, const RayD& here,
+              const RayD& ray, HitD& nearest) {
+  const dvec3 inverse = 1.0 / here.dir;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const TriangleBounds::Run& run = runs[i];
+    if (!may_meet(run, here, inverse, nearest.t))
+      i += run.inside;
+    else if (run.inside == 0)
+      triangles_hit(scene, run.begin, run.end, instance, ray, nearest);
+  }
 }
 
 void instance_hit(const PlannedScene& scene, const TriangleBounds& bounds, int instance, const RayD& ray,
                   HitD& nearest) {
   const Instance& where = scene.instances[static_cast<std::size_t>(instance)];
-  const RayD in_mesh = ray_in_mesh(where, ray);
-  for (const TriangleBounds::Run& run : bounds.meshes[static_cast<std::size_t>(where.mesh)])
-    if (may_meet(run, in_mesh, nearest.t)) triangles_hit(scene, run.begin, run.end, instance, ray, nearest);
+  runs_hit(scene, bounds.meshes[static_cast<std::size_t>(where.mesh)], instance, ray_in_mesh(where, ray), ray, nearest);
 }
 
 HitD shapes_hit(const PlannedScene& scene, const RayD& ray, double t_max) {
@@ -173,16 +191,24 @@ void run_widen(TriangleBounds::Run& run) {
   run.hi += margin;
 }
 
-std::vector<TriangleBounds::Run> runs_of(const PlannedScene& scene, std::size_t first, std::size_t count) {
-  constexpr std::size_t run_length = 32;
-  std::vector<TriangleBounds::Run> runs;
-  for (std::size_t begin = first; begin < first + count; begin += run_length) {
-    TriangleBounds::Run run{dvec3(INFINITE), dvec3(-INFINITE), begin, std::min(begin + run_length, first + count)};
-    for (std::size_t i = run.begin; i < run.end; ++i)
-      for (const Packed3& p : scene.triangles[i].p) run_add(run, vec_promote(p));
-    run_widen(run);
-    runs.push_back(run);
-  }
+void runs_add(const PlannedScene& scene, std::size_t begin, std::size_t end, TriangleBounds::Runs& runs) {
+  constexpr std::size_t tried_together = 4;
+  const std::size_t its = runs.size();
+  TriangleBounds::Run run{dvec3(INFINITE), dvec3(-INFINITE), begin, end};
+  for (std::size_t i = begin; i < end; ++i)
+    for (const Packed3& p : scene.triangles[i].p) run_add(run, vec_promote(p));
+  run_widen(run);
+  runs.push_back(run);
+  if (end - begin <= tried_together) return;
+  const std::size_t middle = begin + (end - begin) / 2;
+  runs_add(scene, begin, middle, runs);
+  runs_add(scene, middle, end, runs);
+  runs[its].inside = runs.size() - its - 1;
+}
+
+TriangleBounds::Runs runs_of(const PlannedScene& scene, std::size_t first, std::size_t count) {
+  TriangleBounds::Runs runs;
+  if (count > 0) runs_add(scene, first, first + count, runs);
   return runs;
 }
 
@@ -193,16 +219,9 @@ HitD hit_or_miss(const HitD& nearest) { return nearest.primitive == PRIMITIVE_NO
 TriangleBounds::TriangleBounds(const PlannedScene& scene) : world(runs_of(scene, 0, scene.world_triangles())) {
   for (const FlatMesh& mesh : scene.meshes)
     meshes.push_back(runs_of(scene, static_cast<std::size_t>(mesh.first), static_cast<std::size_t>(mesh.count)));
-  std::vector<Run> whole;  // each mesh
-  for (const std::vector<Run>& runs : meshes) {
-    whole.push_back({dvec3(INFINITE), dvec3(-INFINITE), 0, 0});
-    for (const Run& run : runs) {
-      run_add(whole.back(), run.lo);
-      run_add(whole.back(), run.hi);
-    }
-  }
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    const Run& mesh = whole[static_cast<std::size_t>(scene.instances[i].mesh)];
+    const Runs& runs = meshes[static_cast<std::size_t>(scene.instances[i].mesh)];
+    const Run mesh = runs.empty() ? Run{dvec3(INFINITE), dvec3(-INFINITE), 0, 0} : runs.front();
     Run all{dvec3(INFINITE), dvec3(-INFINITE), i, i + 1};
     for (int c = 0; c < 8; ++c)
       run_add(all, affine_point(
@@ -215,10 +234,10 @@ TriangleBounds::TriangleBounds(const PlannedScene& scene) : world(runs_of(scene,
 
 HitD nearest_hit(const PlannedScene& scene, const TriangleBounds& bounds, const RayD& ray, double t_max) {
   HitD nearest = shapes_hit(scene, ray, t_max);
-  for (const TriangleBounds::Run& run : bounds.world)
-    if (may_meet(run, ray, nearest.t)) triangles_hit(scene, run.begin, run.end, INSTANCE_NONE, ray, nearest);
+  runs_hit(scene, bounds.world, INSTANCE_NONE, ray, ray, nearest);
   for (const TriangleBounds::Run& run : bounds.instances)
-    if (may_meet(run, ray, nearest.t)) instance_hit(scene, bounds, static_cast<int>(run.begin), ray, nearest);
+    if (may_meet(run, ray, 1.0 / ray.dir, nearest.t))
+      instance_hit(scene, bounds, static_cast<int>(run.begin), ray, nearest);
   return hit_or_miss(nearest);
 }
 

@@ -21,11 +21,14 @@ struct TriangleBounds {
   struct Run {
     dvec3 lo, hi;
     std::size_t begin, end;
+    std::size_t inside = 0;  // runs that follow it and are parts of it; 0: its triangles are to be tried
   };
+  // A run, its first half with all that is in it, its second half.
+  using Runs = std::vector<Run>;
   explicit TriangleBounds(const PlannedScene& scene);
-  std::vector<Run> world;
-  std::vector<std::vector<Run>> meshes;  // in the space of each
-  std::vector<Run> instances;            // begin: the number of the instance
+  Runs world;
+  std::vector<Runs> meshes;    // in the space of each
+  std::vector<Run> instances;  // begin: the number of the instance
 };
 
 // The nearest surface with 0 < t < t_max; of equals the first in the scene.

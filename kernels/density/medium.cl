@@ -4,6 +4,12 @@
 #include "lib/scene.cl"
 #include "lib/slab.cl"
 
+#if BRUME_MEDIA == 1
+#define MEDIA_END(scene) 1
+#else
+#define MEDIA_END(scene) ((scene)->frame->medium_count)
+#endif
+
 // A ray inside one medium, measured in world length s from where it enters: cell-space position = origin + s dir.
 // Starting at the entry keeps float for the medium, however far the camera is.
 typedef struct {

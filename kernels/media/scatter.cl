@@ -27,13 +27,21 @@ static inline int medium_only_absorbs(__global const Medium* medium) {
          !(vec_max(vec_unpack(medium->sigma_s)) > 0.0f || vec_max(vec_unpack(medium->emission)) > 0.0f);
 }
 
-// All media along a view ray.
-OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 dir, float t_max, Random random) {
+// Of a ray that meets no medium.
+static inline MediumResult medium_result_none(void) {
   MediumResult result;
+  result.transmittance = vec_pack((float3)(1.0f));
+  result.radiance = vec_pack((float3)(0.0f));
   result.lookups = 0;
   result.shadow_key = 0;
   result.shadow_rays = 0;
   result.error = result.tau_error = 0.0f;
+  return result;
+}
+
+// All media along a view ray.
+OUTLINED MediumResult media_scatter(const Scene* scene, float3 origin, float3 dir, float t_max, Random random) {
+  MediumResult result = medium_result_none();
   const int together = walks_together(scene);
   LongSum radiance = {(float3)(0.0f), (float3)(0.0f)};
   Tau tau = (Tau)(0.0f);

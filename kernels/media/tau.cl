@@ -22,12 +22,6 @@ typedef float Tau;
 static inline Tau medium_sigma_t(const Medium* m) { return m->sigma_a.x + m->sigma_s.x; }
 #endif
 
-#if BRUME_MEDIA == 1
-#define MEDIA_END(scene) 1
-#else
-#define MEDIA_END(scene) ((scene)->frame->medium_count)
-#endif
-
 #if BRUME_ROULETTE
 // Once the transmittance is below the frame's threshold, a walk goes on with probability T / threshold and then counts
 // for all those that were ended: T becomes the threshold. 0: the walk ends, *tau is black.

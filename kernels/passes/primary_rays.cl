@@ -1,7 +1,8 @@
 // Wave 0: the camera rays of a batch, the samples of each entry of its work side by side. Of every wave: the surfaces
-// that its rays hit first.
+// that its rays hit first, and whether media lie before them.
 #include "lib/camera.cl"
 #include "materials/glass.cl"
+#include "media/met.cl"
 #include "shapes/together.cl"
 
 // The last entry that begins at ray `item` or before. Mostly all entries but the last have as many samples: the first
@@ -80,4 +81,5 @@ __kernel void primary_rays(SCENE_ARGS, __global const Work* work, uint entries, 
   const int left = (int)min((uint)W, count - item);
   if (wave == 0) rays_begin(&scene, work, entries, item, left, rays + item);
   hits_find(&scene, left, rays + item, hits + item);
+  media_met(&scene, left, rays + item, hits + item);
 }

@@ -72,6 +72,7 @@ static inline Hit ray_lane_hit(const RayLanes* rays, int lane) {
   hit.u = rays->u[lane];
   hit.v = rays->v[lane];
   hit.instance = rays->instance[lane];
+  hit.in_media = 0;
   return hit;
 }
 

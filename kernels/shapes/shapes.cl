@@ -101,6 +101,7 @@ static inline Hit shapes_hit(const Scene* scene, float3 origin, float3 dir, floa
   hit.u = 0.0f;
   hit.v = 0.0f;
   hit.instance = INSTANCE_NONE;
+  hit.in_media = 0;
 #if BRUME_SHAPES_USED
   ShapeWalk walk;
   shapes_begin(scene, origin, dir, &walk);

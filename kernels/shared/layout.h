@@ -42,7 +42,7 @@
                              F(track_sigma) F(light_grids) F(tolerance) F(tau_part) F(tau_lit) F(piece_rates)          \
                                  F(light_steps) F(liquid) F(slices))                                                   \
   STRUCT(Ray, F(origin) F(pixel) F(dir) F(sample) F(weight) F(seed) F(heirs) F(start) F(inside))                       \
-  STRUCT(Hit, F(t) F(primitive) F(u) F(v) F(instance))                                                                 \
+  STRUCT(Hit, F(t) F(primitive) F(u) F(v) F(instance) F(in_media))                                                     \
   STRUCT(MediumResult, F(transmittance) F(lookups) F(radiance) F(shadow_key) F(shadow_rays) F(error) F(tau_error))     \
   STRUCT(SurfaceResult,                                                                                                \
          F(radiance) F(lit) F(normal) F(second) F(lookups) F(shadow_rays) F(sent) F(dropped_rays) F(dropped_weight))   \

@@ -42,8 +42,9 @@ typedef struct {
   int primitive;  // shape index, FIRST_TRIANGLE + triangle index, or PRIMITIVE_NONE
   float u, v;
   int instance;  // of whose mesh the triangle is; INSTANCE_NONE: the triangle stands in the world, or it is a shape
+  int in_media;  // the way there passes a medium: said by media_met(), 0 before
 } Hit;
-BRUME_LAYOUT(Hit, 20);
+BRUME_LAYOUT(Hit, 24);
 
 // What the media did to one ray from its origin to the hit.
 typedef struct {

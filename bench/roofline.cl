@@ -39,6 +39,23 @@ __kernel void roofline_loads(uint turns, __global const float* table, __global f
   out[get_global_id(0)] = all.x + all.y;
 }
 
+// The part of a pixel's camera ray that lies in a medium.
+static inline MediumRay camera_ray_inside(__constant const Frame* frame, uint pixel, const Medium* medium) {
+  uint pixels[W], samples[W];
+  float origin[3][W], dir[3][W];
+  for (int i = 0; i < W; ++i) {
+    pixels[i] = pixel;
+    samples[i] = 0;
+  }
+  const CameraRays rays = camera_rays(frame, pixels, samples);
+  for (int c = 0; c < 3; ++c) {
+    lanes_store(rays.origin.v[c], origin[c]);
+    lanes_store(rays.dir.v[c], dir[c]);
+  }
+  return medium_ray(medium, (float3)(origin[0][0], origin[1][0], origin[2][0]),
+                    (float3)(dir[0][0], dir[1][0], dir[2][0]), INFINITY);
+}
+
 // The cells that the rays of the camera cross, without a look at their densities. out: how many, and a sum of what a
 // lookup would read of them.
 __kernel void roofline_cells(SCENE_ARGS, uint count, __global float* out) {
@@ -46,8 +63,7 @@ __kernel void roofline_cells(SCENE_ARGS, uint count, __global float* out) {
   if (item >= count) return;
   const Scene scene = SCENE_PACK;
   const Medium medium = media[0];
-  const Ray camera = camera_ray(frame, item, 0);
-  const MediumRay ray = medium_ray(&medium, vec_unpack(camera.origin), vec_unpack(camera.dir), INFINITY);
+  const MediumRay ray = camera_ray_inside(frame, item, &medium);
   float cells = 0.0f, sum = 0.0f;
   if (ray.length > 0.0f) {
     Walk walk = walk_begin(&scene, &medium, &ray, random_begin(frame, item, 0), WALK_SEEN);
@@ -69,8 +85,7 @@ __kernel void roofline_light_grid(SCENE_ARGS, uint count, __global float* out) {
   if (item >= count) return;
   const Scene scene = SCENE_PACK;
   const Medium medium = scene.media[0];
-  const Ray camera = camera_ray(frame, item, 0);
-  const MediumRay ray = medium_ray(&medium, vec_unpack(camera.origin), vec_unpack(camera.dir), INFINITY);
+  const MediumRay ray = camera_ray_inside(frame, item, &medium);
   const LightGrid grid = scene.light_grids[medium.light_grids];
   floatW sum = (floatW)(0.0f);
   const int lookups = ray.length > 0.0f ? LOOKUPS : 0;

@@ -5,10 +5,15 @@
 
 #define RUN_UNASKED 0.125f  // of the tolerance: so much may all lights send that are asked nowhere
 
-// Whether a light that may send so much is asked nowhere: it and all of those before it are too faint.
-static inline int run_unasked(const Stretch* s, Run* run, float sends) {
+// Whether a light is asked nowhere, because it and all of those before it are too faint: half of it is taken then.
+static inline int run_unasked(const Stretch* s, Run* run, RunLight* light, MediumResult* result) {
+  float sends = 0.0f;
+  for (int c = 0; c < TAU_CHANNELS; ++c) sends += light->upto[c][light->last];
   if (!(run->faint + sends <= s->medium->tolerance * RUN_UNASKED * run->seen)) return 0;
   run->faint += sends;
+  result->error += (1.0f / 6.0f) * sends;
+  for (int c = 0; c < TAU_CHANNELS; ++c)
+    for (int i = light->first; i <= light->last; ++i) light->passed[c][i] = 0.5f;
   return 1;
 }
 
@@ -18,25 +23,16 @@ OUTLINED float3 run_shine(const Scene* scene, const Stretch* s, Run* run, Medium
   RunLight light;
   for (int l = 0; l < scene->frame->light_count; ++l) {
     if (!run_weigh(scene, s, run, l, &light)) continue;
-    const int last = light.last;
-    float sends = 0.0f;
-    for (int c = 0; c < TAU_CHANNELS; ++c) sends += light.upto[c][last];
-    const int unasked = run_unasked(s, run, sends);
-    if (unasked) {
-      result->error += (1.0f / 6.0f) * sends;
-    } else {
+    if (!run_unasked(s, run, &light, result)) {
       run_pass(scene, s, run, l, &light, result);
 #if HAS_SURFACES
       if (scene->lights[l].type != LIGHT_SURFACE) run_edges(scene, s, run, l, &light, result);
 #endif
     }
     float3 its = (float3)(0.0f);
-    for (int i = light.first; i <= last; ++i) {
-      const float3 weight = (float3)(light.weight[0][i], light.weight[1][i], light.weight[2][i]);
-      its += unasked
-                 ? 0.5f * weight
-                 : weight * (float3)(light.passed[0][i], light.passed[RUN_COLOR(1)][i], light.passed[RUN_COLOR(2)][i]);
-    }
+    for (int i = light.first; i <= light.last; ++i)
+      its += (float3)(light.weight[0][i] * light.passed[0][i], light.weight[1][i] * light.passed[RUN_COLOR(1)][i],
+                      light.weight[2][i] * light.passed[RUN_COLOR(2)][i]);
     sum += its;
     run->seen += its.x + its.y + its.z;
   }

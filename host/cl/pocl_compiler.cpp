@@ -1,8 +1,9 @@
 // See pocl_compiler.hpp. PoCL has the library parsed by llvm::parseIRFile and finds functions in it by
 // llvm::Module::getFunction; for a kernel it asks llvm::PassManagerBuilder for passes, twice into one list that it
-// keeps. A program that exports all three (cmake/exported_symbols.list) is asked before LLVM: here the file is opened
-// lazily, a function is read when it is looked up, and the list gets its passes the second time. The names are those of
-// LLVM 15; a driver that is linked with another one never calls them.
+// keeps. Clang asks llvm::PassBuilder for the front end's passes. A program that exports all four
+// (cmake/exported_symbols.list) is asked before LLVM: here the file is opened lazily, a function is read when it is
+// looked up, the list gets its passes the second time, and the front end's are few. The names are those of LLVM 15; a
+// driver that is linked with another one never calls them.
 #include "cl/pocl_compiler.hpp"
 
 #include <dlfcn.h>
@@ -19,12 +20,19 @@
 #define GET_FUNCTION "_ZNK4llvm6Module11getFunctionENS_9StringRefE"
 #define ADD_PASSES "_ZN4llvm18PassManagerBuilder25populateModulePassManagerERNS_6legacy15PassManagerBaseE"
 #define READ_BODY "_ZN4llvm11GlobalValue11materializeEv"
+#define FRONT_PASSES "_ZN4llvm11PassBuilder29buildPerModuleDefaultPipelineENS_17OptimizationLevelEb"
+#define PARSE_PASSES                                                                                          \
+  "_ZN4llvm11PassBuilder17parsePassPipelineERNS_11PassManagerINS_6ModuleENS_15AnalysisManagerIS2_JEEEJEEENS_" \
+  "9StringRefE"
 
 namespace brume {
 
 namespace {
 
 bool known_version = false;
+
+// What the front end is left to do: functions get small before they are inlined. All else is done behind it.
+constexpr std::string_view FRONT = "cgscc(inline,function(sroa,early-cse,simplifycfg))";
 
 // Of LLVM's types, what decides how they are handed over.
 struct StringRef {
@@ -35,15 +43,23 @@ struct FunctionRef {
   void* callback;
   std::intptr_t callable;
 };
-// unique_ptr and Error, in memory because they have destructors.
-struct Returned {
-  Returned() = default;
-  Returned(const Returned&) = delete;
-  Returned& operator=(const Returned&) = delete;
-  ~Returned() {
-  }  // NOLINT(modernize-use-equals-default): it must not be trivial, and leaves what it holds to the caller
-  std::uintptr_t held = 0;
+struct Level {
+  unsigned speed, size;
 };
+// unique_ptr and Error (a word), a list of passes (a vector of pointers), in memory because they have destructors.
+template <std::size_t Words>
+struct ReturnedWords {
+  ReturnedWords() = default;
+  ReturnedWords(const ReturnedWords&) = delete;
+  ReturnedWords(ReturnedWords&&) = default;  // where it lies does not matter
+  ReturnedWords& operator=(const ReturnedWords&) = delete;
+  ReturnedWords& operator=(ReturnedWords&&) = delete;
+  ~ReturnedWords() {
+  }  // NOLINT(modernize-use-equals-default): it must not be trivial, and leaves what it holds to the caller
+  std::uintptr_t held[Words] = {};
+};
+using Returned = ReturnedWords<1>;
+using Passes = ReturnedWords<3>;
 
 // Null where it is unknown.
 const char* calling_library(const void* caller) {
@@ -68,7 +84,7 @@ bool is_builtin_library(const StringRef& file) {
 }
 
 // Without a failure an Error holds nothing, or a mark in its lowest bit.
-bool failed(const Returned& error) { return (error.held & ~std::uintptr_t(1)) != 0; }
+bool failed(const Returned& error) { return (error.held[0] & ~std::uintptr_t(1)) != 0; }
 
 }  // namespace
 
@@ -106,6 +122,17 @@ void passes_add(void* builder, void* passes) {
     if (!again) return;
   }
   if (const auto add = llvm_function<decltype(passes_add)>(ADD_PASSES, caller)) add(builder, passes);
+}
+
+Passes front_passes(void* builder, Level level, bool before_linking) __asm__(FRONT_PASSES);
+Passes front_passes(void* builder, Level level, bool before_linking) {
+  const void* const caller = __builtin_return_address(0);
+  const auto parse = llvm_function<Returned(void*, void*, StringRef)>(PARSE_PASSES, caller);
+  if (known_version && parse != nullptr) {
+    Passes passes;
+    if (!failed(parse(builder, &passes, {FRONT.data(), FRONT.size()}))) return passes;
+  }
+  return llvm_function<decltype(front_passes)>(FRONT_PASSES, caller)(builder, level, before_linking);
 }
 }
 

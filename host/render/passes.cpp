@@ -32,17 +32,18 @@ struct PassRow {
   const char* name;
   bool (*runs)(const FlatScene&, const RenderPlan&);
   int compiles_ms;   // beside what any program takes, measured on some scenes; traverse_dda: TRAVERSE_MS
+  int triangles_ms;  // more where there are triangles
   bool takes_scene;  // reads all of it, or nothing
 };
 // In the order of Passes::Id.
-constexpr PassRow PASSES[] = {{"presence_gradients", has_liquids, 150, true},
-                              {"light_grid", has_light_grids, 350, true},
-                              {"primary_rays", always, 180, true},
-                              {"traverse_dda", always, 0, true},
-                              {"shadow_transmittance", has_surfaces, 380, true},
-                              {"shade", always, 80, true},
-                              {"secondary_rays", has_specular, 50, false},
-                              {"accumulate", always, 50, false}};
+constexpr PassRow PASSES[] = {{"presence_gradients", has_liquids, 70, 0, true},
+                              {"light_grid", has_light_grids, 155, 0, true},
+                              {"primary_rays", always, 160, 100, true},
+                              {"traverse_dda", always, 0, 0, true},
+                              {"shadow_transmittance", has_surfaces, 180, 250, true},
+                              {"shade", always, 60, 0, true},
+                              {"secondary_rays", has_specular, 45, 0, false},
+                              {"accumulate", always, 40, 0, false}};
 
 // Rays that a wave has room for, at least: what one sample may send on.
 constexpr std::size_t WAVE_LEAST = 2 * SECONDARY_RAYS_MAX;
@@ -54,8 +55,18 @@ double event_seconds(const cl::Event& event) {
                                     event.getProfilingInfo<CL_PROFILING_COMMAND_START>());
 }
 
-constexpr int TRAVERSE_MS[] = {120, 480, 760};  // of traverse_dda: without media, with one, with several
-constexpr int OTHER_BEGINS_MS = 60;             // what the program that builds the second part takes to begin
+constexpr int TRAVERSE_MS[] = {60, 260, 450, 600};  // without media, with one, with several, among triangles
+constexpr int OTHER_BEGINS_MS = 30;                 // what the program that builds the second part takes to begin
+
+int traverse_ms(const FlatScene& scene) {
+  const bool among_triangles = !scene.media.empty() && !scene.triangles.empty();
+  return TRAVERSE_MS[among_triangles ? 3 : std::min<std::size_t>(scene.media.size(), 2)];
+}
+
+int compile_ms(const PassRow& pass, const FlatScene& scene) {
+  if (pass.name == std::string_view("traverse_dda")) return traverse_ms(scene);
+  return pass.compiles_ms + (scene.triangles.empty() ? 0 : pass.triangles_ms);
+}
 
 using Parts = std::array<std::size_t, std::size(PASSES)>;
 
@@ -63,11 +74,7 @@ using Parts = std::array<std::size_t, std::size(PASSES)>;
 Parts passes_parts(const FlatScene& scene, const RenderPlan& plan) {
   std::array<std::size_t, std::size(PASSES)> order{};
   std::iota(order.begin(), order.end(), std::size_t(0));
-  const auto takes = [&](std::size_t id) {
-    return PASSES[id].name == std::string_view("traverse_dda")
-               ? TRAVERSE_MS[std::min<std::size_t>(scene.media.size(), 2)]
-               : PASSES[id].compiles_ms;
-  };
+  const auto takes = [&](std::size_t id) { return compile_ms(PASSES[id], scene); };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return takes(a) > takes(b); });
   Parts parts{};
   std::array<int, 2> all_ms{0, OTHER_BEGINS_MS};

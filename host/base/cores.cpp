@@ -2,6 +2,7 @@
 #include "base/cores.hpp"
 
 #include <sched.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -49,5 +50,7 @@ int cores_usable() {
     if (group == mount || group == group.root_path()) return std::max(1, cores);
   }
 }
+
+bool cores_are_all_usable() { return cores_usable() == ::sysconf(_SC_NPROCESSORS_CONF); }
 
 }  // namespace brume

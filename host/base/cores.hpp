@@ -10,4 +10,7 @@ int cores_of_quota(const std::string& cpu_max, int cores);
 // By its affinity and the quotas of the control groups it is in (version 2 of them).
 int cores_usable();
 
+// Whether those are all that the machine has.
+bool cores_are_all_usable();
+
 }  // namespace brume

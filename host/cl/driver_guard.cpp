@@ -13,6 +13,7 @@
 #include <iterator>
 #include <vector>
 
+#include "base/cores.hpp"
 #include "base/error.hpp"
 #include "base/foreign_lines.hpp"
 #include "base/interrupt.hpp"
@@ -28,6 +29,8 @@ constexpr int DEADLY[] = {SIGABRT, SIGBUS, SIGSEGV, SIGILL};
 constexpr const char* AGAIN = "BRUME_DAMAGED_KERNEL_CACHE";  // set where this is the second start
 
 constexpr const char* SPECIALIZATION = "POCL_WORK_GROUP_SPECIALIZATION";
+constexpr const char* AFFINITY = "POCL_AFFINITY";
+constexpr const char* THREADS = "POCL_MAX_PTHREAD_COUNT";
 
 std::atomic<int> guards{0};
 
@@ -171,6 +174,7 @@ void driver_start_once() { ::setenv(AGAIN, "", 0); }
 
 void driver_environment() {
   ::setenv(SPECIALIZATION, "0", 0);
+  if (cores_are_all_usable() && variable(THREADS).empty()) ::setenv(AFFINITY, "1", 0);
   if (variable("POCL_CACHE_DIR").empty()) ::unsetenv("POCL_CACHE_DIR");
   const std::string problem = kernel_cache_problem(), own = problem.empty() ? "" : own_folder();
   if (own.empty()) return;

@@ -24,7 +24,9 @@ void driver_start_once();
 // Before the first call of a driver: PoCL would abort over an empty POCL_CACHE_DIR, which is none, and fail where its
 // cache cannot be written, which then is kept in the temporary folder, with a note. And unless somebody has set it
 // otherwise, PoCL compiles a kernel once, for work-groups and grids of any size: pictures take as long, a grid of
-// another size never waits for the compiler, and a program can be handed out without compiling it again.
+// another size never waits for the compiler, and a program can be handed out without compiling it again. Also unless
+// somebody has, each of its threads stays on a core of its own, where all cores of the machine may be used: the k-th on
+// the k-th, whatever else runs there, which with fewer threads would put those of two processes on the same cores.
 void driver_environment();
 bool driver_keeps_generic_kernels();  // whether it does so
 

@@ -41,13 +41,15 @@ bool same(const Head& a, const Head& b) {
   return a.mark == b.mark && a.name == b.name && a.bytes == b.bytes && a.hash == b.hash;
 }
 
-// Kernels depend on the driver's settings, but not on where it keeps them or how many threads run them.
+// Kernels depend on the driver's settings, but not on where it keeps them or which threads run them.
+constexpr const char* INDIFFERENT[] = {"POCL_CACHE_DIR=", "POCL_MAX_PTHREAD_COUNT=", "POCL_AFFINITY="};
+
 std::vector<std::string> driver_settings() {
   std::vector<std::string> settings;
   for (char** one = environ; *one != nullptr; ++one) {
     const std::string setting = *one;
-    if (setting.rfind("POCL_", 0) == 0 && setting.rfind("POCL_CACHE_DIR=", 0) != 0 &&
-        setting.rfind("POCL_MAX_PTHREAD_COUNT=", 0) != 0)
+    const auto begins = [&](const char* text) { return setting.rfind(text, 0) == 0; };
+    if (begins("POCL_") && std::none_of(std::begin(INDIFFERENT), std::end(INDIFFERENT), begins))
       settings.push_back(setting);
   }
   std::sort(settings.begin(), settings.end());

@@ -120,9 +120,11 @@ TEST_F(ProgramFiles, EveryPartOfTheKeyIsAnotherFile) {
   ::setenv("POCL_WORK_GROUP_METHOD", "cbs", 1);
   files.push_back(program_file(device(), "source", "-DA=1"));
   ::unsetenv("POCL_WORK_GROUP_METHOD");
-  ::setenv("POCL_MAX_PTHREAD_COUNT", "1", 1);
-  EXPECT_EQ(program_file(device(), "source", "-DA=1"), files[0]);
-  ::unsetenv("POCL_MAX_PTHREAD_COUNT");
+  for (const char* indifferent : {"POCL_MAX_PTHREAD_COUNT", "POCL_AFFINITY"}) {
+    ::setenv(indifferent, "1", 1);
+    EXPECT_EQ(program_file(device(), "source", "-DA=1"), files[0]) << indifferent;
+    ::unsetenv(indifferent);
+  }
   EXPECT_EQ(std::set<fs::path>(files.begin(), files.end()).size(), files.size());
 }
 

@@ -32,7 +32,7 @@ PictureError picture_error(const PlannedScene& scene, const Film& film, std::opt
   options.least = asked.value_or(goal.max_error ? WITNESS_GOAL_LEAST : 0);
   if (asked == 0) return error;
   const Frame& frame = scene.frame;
-  const Image picture = film_image(film.cut({frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1}));
+  const Image picture = film_image(film, {frame.crop_x0, frame.crop_y0}, {frame.crop_x1, frame.crop_y1});
   const WitnessDraws draws = witnesses_draw(picture, frame, asked.value_or(WITNESS_PIXELS), WITNESS_SEED);
   const Witnesses witnesses = witnesses_ask(scene, draws, options);
   if (!asked && witnesses.draws.size() < WITNESS_LEAST) return error;

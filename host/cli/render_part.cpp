@@ -27,9 +27,15 @@ SampleRange samples_parse(const std::string& text, int spp) {
 }
 
 WorkList work_missing(const Frame& frame, SampleRange range, const SampleCover& held) {
+  const WorkList all = work_all(frame);
   WorkList list;
-  for (const PixelWork& work : work_all(frame))
-    for (const SampleRange& gap : held.missing(work.pixel, range)) list.push_back({work.pixel, gap.first, gap.count});
+  list.reserve(all.size());
+  for (const PixelWork& work : all) {
+    if (held.has_none(work.pixel))
+      list.push_back({work.pixel, range.first, range.count});
+    else
+      for (const SampleRange& gap : held.missing(work.pixel, range)) list.push_back({work.pixel, gap.first, gap.count});
+  }
   return list;
 }
 

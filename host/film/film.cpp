@@ -121,11 +121,15 @@ std::vector<std::string> aov_channel_names(Aov aov) {
   return names;
 }
 
-Plane Film::radiance() const {
-  Plane plane{"rgb", 3, {}};
-  plane.values.reserve(pixels_.size() * 3);
-  for (const FilmPixel& pixel : pixels_)
-    for (float value : mean(pixel.radiance, pixel.samples)) plane.values.push_back(value);
+Plane Film::radiance(glm::ivec2 lo, glm::ivec2 hi) const {
+  const glm::ivec2 part = hi - lo;
+  Plane plane{"rgb", 3, std::vector<float>(std::size_t(part.x) * std::size_t(part.y) * 3)};
+  auto value = plane.values.begin();
+  for (int y = lo.y; y < hi.y; ++y) {
+    const auto row = pixels_.begin() + std::ptrdiff_t(y) * size_.x;
+    for (auto pixel = row + lo.x; pixel != row + hi.x; ++pixel)
+      for (const float one : mean(pixel->radiance, pixel->samples)) *value++ = one;
+  }
   return plane;
 }
 

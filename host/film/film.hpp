@@ -35,7 +35,8 @@ class Film {
   const std::vector<FilmPixel>& pixels() const { return pixels_; }
   Film cut(glm::ivec2 lo, glm::ivec2 hi) const;  // the pixels [lo, hi) as a film of their own
 
-  Plane radiance() const;    // sums / samples; 0 where nothing was rendered
+  Plane radiance() const { return radiance({0, 0}, size_); }  // sums / samples; 0 where nothing was rendered
+  Plane radiance(glm::ivec2 lo, glm::ivec2 hi) const;         // the same of the pixels [lo, hi)
   Plane alpha() const;       // 1 - transmittance to the background, mean of its channels; 0 where nothing was rendered
   Plane aov(Aov aov) const;  // see BRUME_AOVS; where nothing was rendered: depth inf, the others 0
 

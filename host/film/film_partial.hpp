@@ -25,6 +25,7 @@ class SampleCover {
   explicit SampleCover(std::size_t pixels) : layers_(1, std::vector<SampleRange>(pixels)) {}
 
   std::size_t pixels() const { return layers_.front().size(); }
+  bool has_none(std::size_t pixel) const { return layers_.front()[pixel].count == 0; }
   std::vector<SampleRange> of(std::size_t pixel) const;  // ascending, with gaps between them
   // The first sample of `range` that the pixel holds.
   std::optional<std::uint32_t> held(std::size_t pixel, SampleRange range) const;

@@ -65,8 +65,8 @@ void film_write(const Film& film, const std::filesystem::path& file, const FilmW
   image_write_display(file, film.size().x, film.size().y, film_display(radiance, options.exposure, options.transfer));
 }
 
-Image film_image(const Film& film) {
-  return {film.size().x, film.size().y, 3, film.radiance().values, {"R", "G", "B"}, false, 0, "film"};
+Image film_image(const Film& film, glm::ivec2 lo, glm::ivec2 hi) {
+  return {hi.x - lo.x, hi.y - lo.y, 3, film.radiance(lo, hi).values, {"R", "G", "B"}, false, 0, "film"};
 }
 
 }  // namespace brume

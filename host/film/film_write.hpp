@@ -28,7 +28,8 @@ int film_channels(const std::vector<Aov>& aovs, bool alpha);
 // image_write_exr and image_write_display. To fail before the rendering, call image_check_writable first.
 void film_write(const Film& film, const std::filesystem::path& file, const FilmWriteOptions& options);
 
-// The radiance as an image with channels R, G, B, as a written .exr reads back.
-Image film_image(const Film& film);
+// The radiance as an image with channels R, G, B, as a written .exr reads back; of the pixels [lo, hi), or all.
+Image film_image(const Film& film, glm::ivec2 lo, glm::ivec2 hi);
+inline Image film_image(const Film& film) { return film_image(film, {0, 0}, film.size()); }
 
 }  // namespace brume

@@ -51,7 +51,7 @@ std::vector<SampleRange> SampleCover::missing(std::size_t pixel, SampleRange wan
 ImageWindow SampleCover::window(int width) const {
   ImageWindow window{};
   for (std::size_t i = 0; i < pixels(); ++i) {
-    if (layers_.front()[i].count == 0) continue;
+    if (has_none(i)) continue;
     const int x = int(i % std::size_t(width)), y = int(i / std::size_t(width));
     if (window.width() == 0) window = {x, y, x + 1, y + 1};
     window = {std::min(window.x0, x), window.y0, std::max(window.x1, x + 1), y + 1};

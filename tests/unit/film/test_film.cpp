@@ -88,6 +88,20 @@ TEST(Film, EveryAovHasARowNamesAndValues) {
   EXPECT_EQ(family_find(aov_family(), "normal")->id, AOV_NORMAL);
 }
 
+TEST_F(FilmTest, APartIsWhatACutShows) {
+  Film film({3, 2});
+  for (std::size_t i = 0; i < film.pixels().size(); ++i) {
+    film.pixels()[i].samples = 2;
+    film.pixels()[i].radiance = {float(i), float(10 * i), 1};
+  }
+  const Image part = film_image(film, {1, 0}, {3, 2});
+  EXPECT_EQ(part.width, 2);
+  EXPECT_EQ(part.height, 2);
+  EXPECT_EQ(part.values, film.cut({1, 0}, {3, 2}).radiance().values);
+  EXPECT_THAT(part.values, testing::ElementsAre(0.5f, 5, 0.5f, 1, 10, 0.5f, 2, 20, 0.5f, 2.5f, 25, 0.5f));
+  EXPECT_TRUE(film_image(film, {1, 1}, {1, 2}).values.empty());
+}
+
 TEST_F(FilmTest, ExrRoundTripWithLayersAndMetadata) {
   const Film film = small_film();
   const FilmWriteOptions options{3.0,

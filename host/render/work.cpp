@@ -30,19 +30,24 @@ std::uint32_t batch_rays(const std::vector<Work>& batch) {
   return batch.empty() ? 0 : batch.back().first_ray + batch.back().samples;
 }
 
-WorkQueue::WorkQueue(const WorkList& list, std::size_t film_pixels) : list_(list), batch_of_pixel_(film_pixels) {
+WorkQueue::WorkQueue(const WorkList& list, std::size_t film_pixels) : list_(list) {
   constexpr std::uint32_t SAMPLES_MAX = std::numeric_limits<std::uint32_t>::max();
+  std::vector<bool> listed(film_pixels);
+  bool repeats = false;
   for (const PixelWork& work : list) {
     if (work.pixel >= film_pixels || work.samples > SAMPLES_MAX - work.first_sample)
       throw RuntimeError("work list: samples " + std::to_string(work.first_sample) + " and " +
                          std::to_string(work.samples) + " from there on of pixel " + std::to_string(work.pixel) +
                          ", but the film has " + std::to_string(film_pixels) + " pixels of fewer than 2^32 samples");
     rays_ += work.samples;
+    repeats = repeats || listed[work.pixel];
+    listed[work.pixel] = true;
   }
+  if (repeats) batch_of_pixel_.resize(film_pixels);
 }
 
 bool WorkQueue::taken_before(std::uint32_t pixel) {
-  return std::exchange(batch_of_pixel_[pixel], batch_number_) == batch_number_;
+  return !batch_of_pixel_.empty() && std::exchange(batch_of_pixel_[pixel], batch_number_) == batch_number_;
 }
 
 const std::vector<Work>& WorkQueue::next(std::size_t rays) {

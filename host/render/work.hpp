@@ -40,7 +40,7 @@ class WorkQueue {
   std::uint32_t samples_done_ = 0;  // of that entry
   std::vector<Work> batch_;
   std::uint32_t batch_number_ = 0;
-  std::vector<std::uint32_t> batch_of_pixel_;  // the last one that it was in
+  std::vector<std::uint32_t> batch_of_pixel_;  // the last one that it was in; empty where the list has each only once
 };
 
 // Rays of a batch as WorkQueue makes it.

@@ -2,10 +2,8 @@
 #include "chart/chart_run.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "base/error.hpp"
@@ -38,7 +36,7 @@ class Run {
     list_ = knobs_list(request.methods, scene.limits(), scene.desc().film.spp);
     for (const Knobs& knobs : list_)
       if (!known(knobs)) left_.push_back(knobs);
-    order_left();
+    knobs_order(left_, scene.desc().film.spp, [&](const Knobs& knobs) { return scene.cost(knobs); });
     for (const Knobs& knobs : left_) cost_all_ += scene.cost(knobs);
   }
 
@@ -59,20 +57,6 @@ class Run {
   bool known(const Knobs& knobs) const {
     return std::any_of(chart_.points.begin(), chart_.points.end(),
                        [&](const ChartPoint& p) { return knobs_id(p.knobs) == knobs_id(knobs); });
-  }
-
-  // The cheapest first; kernels cost too, once, so that what they were built for is measured before others are built.
-  void order_left() {
-    constexpr double BUILD = 5e7;  // lookups of two seconds
-    std::set<std::array<int, 3>> built;
-    const auto program = [](const Knobs& k) { return std::array<int, 3>{k.method, k.light_grid > 0, k.storage}; };
-    const auto cost = [&](const Knobs& k) { return scene_.cost(k) + (built.count(program(k)) ? 0 : BUILD); };
-    for (auto next = left_.begin(); next != left_.end(); ++next) {
-      const auto cheapest =
-          std::min_element(next, left_.end(), [&](const Knobs& a, const Knobs& b) { return cost(a) < cost(b); });
-      std::rotate(next, cheapest, cheapest + 1);
-      built.insert(program(*next));
-    }
   }
 
   bool in_time() const { return request_.budget <= 0 || watch_.seconds() < request_.budget; }

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <sstream>
+#include <tuple>
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
@@ -210,6 +212,25 @@ std::vector<double> steps_halving(const KnobLimits& limits, int beyond) {
 }
 
 std::vector<double> tolerances_all() { return {std::begin(TOLERANCES), std::end(TOLERANCES)}; }
+
+void knobs_order(std::vector<Knobs>& list, int spp, const std::function<double(const Knobs&)>& cost) {
+  struct Place {
+    bool other_samples;
+    int rank;  // by cost, among those of its method
+    double cost;
+    bool operator<(const Place& o) const {
+      return std::tie(other_samples, rank, cost) < std::tie(o.other_samples, o.rank, o.cost);
+    }
+  };
+  std::map<std::string, Place> places;
+  const auto place = [&](const Knobs& knobs) -> Place& { return places[knobs_id(knobs)]; };
+  for (const Knobs& knobs : list) place(knobs) = {knobs.spp != spp, 0, cost(knobs)};
+  const auto before = [&](const Knobs& a, const Knobs& b) { return place(a) < place(b); };
+  std::stable_sort(list.begin(), list.end(), before);
+  std::map<int, int> listed;  // of a method
+  for (const Knobs& knobs : list) place(knobs).rank = listed[knobs.method]++;
+  std::stable_sort(list.begin(), list.end(), before);
+}
 
 SceneDesc exact_desc(const SceneDesc& desc, int spp) {
   constexpr double FINE_CONSTANT_STEP = 1.0 / 512;  // for light that changes inside of a constant medium

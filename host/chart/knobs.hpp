@@ -1,5 +1,6 @@
 // The settings that a chart goes through: which methods fit a scene and how far each of their knobs is turned.
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,6 +44,10 @@ std::vector<int> methods_fitting(const SceneDesc& desc, const std::vector<int>& 
 
 // Every setting once, coarse ones of each sweep first. methods: empty for a scene without media.
 std::vector<Knobs> knobs_list(const std::vector<int>& methods, const KnobLimits& limits, int spp);
+
+// Each method's cheapest first, then each one's second: whenever the time ends, there is something of all. Last those
+// with other numbers of samples than `spp`, which need exact pictures of their own.
+void knobs_order(std::vector<Knobs>& list, int spp, const std::function<double(const Knobs&)>& cost);
 
 // The same for the voxels of a level of detail.
 KnobLimits limits_at(KnobLimits limits, int level);

@@ -40,6 +40,34 @@ TEST(ChartKnobs, NoSettingTwiceAndEveryMethod) {
   EXPECT_EQ(methods.size(), std::size_t(METHOD_COUNT));
 }
 
+// One method far cheaper than the others does not keep them waiting.
+TEST(ChartKnobs, WhateverIsMeasuredFirstThereIsSomethingOfAllMethods) {
+  constexpr int SPP = 4;
+  std::vector<Knobs> list = knobs_list(all_methods(), VOXELS, SPP);
+  const std::vector<Knobs> unordered = list;
+  const auto cost = [](const Knobs& knobs) {
+    const double finer = (knobs.step > 0 ? 1 / knobs.step : 1) + knobs.light_grid + knobs.spp;
+    return knobs.method == METHOD_ADAPTIVE ? 1e-6 * finer : finer;
+  };
+  knobs_order(list, SPP, cost);
+  ASSERT_EQ(list.size(), unordered.size());
+  std::set<int> first;
+  for (std::size_t i = 0; i < std::size_t(METHOD_COUNT); ++i) {
+    EXPECT_TRUE(first.insert(list[i].method).second) << knobs_id(list[i]);
+    for (const Knobs& knobs : unordered)
+      if (knobs.method == list[i].method && knobs.spp == SPP) {
+        EXPECT_LE(cost(list[i]), cost(knobs)) << knobs_id(list[i]) << ' ' << knobs_id(knobs);
+      }
+  }
+  const auto other = [](const Knobs& knobs) { return knobs.spp != SPP; };
+  EXPECT_TRUE(std::is_partitioned(list.begin(), list.end(), [&](const Knobs& knobs) { return !other(knobs); }));
+  EXPECT_TRUE(std::any_of(list.begin(), list.end(), other));
+  std::multiset<std::string> before, after;
+  for (const Knobs& knobs : unordered) before.insert(knobs_id(knobs));
+  for (const Knobs& knobs : list) after.insert(knobs_id(knobs));
+  EXPECT_EQ(before, after);
+}
+
 TEST(ChartKnobs, LevelsOfDetailWhereThereIsDetail) {
   const auto levels = [](int cells) {
     std::set<int> found;

@@ -51,7 +51,7 @@ template <std::size_t Words>
 struct ReturnedWords {
   ReturnedWords() = default;
   ReturnedWords(const ReturnedWords&) = delete;
-  ReturnedWords(ReturnedWords&&) = default;  // where it lies does not matter
+  ReturnedWords(ReturnedWords&&) noexcept = default;  // where it lies does not matter
   ReturnedWords& operator=(const ReturnedWords&) = delete;
   ReturnedWords& operator=(ReturnedWords&&) = delete;
   ~ReturnedWords() {

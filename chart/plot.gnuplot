@@ -1,6 +1,7 @@
 # chart.svg and chart.png of `brume chart`. brume puts before it: chart_title, floor (the exact picture's own error),
-# methods (their names), svg_file, png_file, n_peers and the data blocks $points (two columns, seconds and error; an
-# index for each method), $front and $peers (with a third column, the name).
+# methods (their names), marks (a number for each, the same in all charts), svg_file, png_file, n_peers and the data
+# blocks $points (two columns, seconds and error; an index for each method), $front and $peers (with a third column, the
+# name).
 set logscale xy
 set format "%g"
 set xlabel "seconds of a render"
@@ -19,12 +20,13 @@ if (floor > 0) {
   set label "the exact picture's own error" at graph 0.995, first floor right offset 0, -0.7 back
 }
 # One shape and one brightness each: they are told apart in grey. The front is the thick line.
-array shapes[11] = [12, 4, 8, 10, 6, 14, 1, 2, 3, 5, 7]
-array colors[11] = [0x000000, 0x0b5394, 0xd9822b, 0x8fbc5a, 0x7b1fa2, 0xc2185b, 0x4db6ac, 0xf2c14e, 0x5d4037, \
-  0x9e9e9e, 0x2e7d32]
+array shapes[13] = [9, 12, 4, 8, 10, 6, 14, 1, 2, 3, 5, 7, 11]
+array colors[13] = [0x4a7fd0, 0x000000, 0x0b5394, 0xd9822b, 0x8fbc5a, 0x7b1fa2, 0xc2185b, 0x4db6ac, 0xf2c14e, \
+  0x5d4037, 0x9e9e9e, 0x2e7d32, 0x8c2d04]
 draw = 'plot $front using 1:2 with lines lw 4 lc rgb "#999999" title "nothing quicker and closer", \
   for [i=1:words(methods)] $points index i-1 using 1:2 \
-    with points pt shapes[i] ps 1.3 lw 1.6 lc rgb colors[i] title word(methods, i)'
+    with points pt shapes[word(marks, i) + 0] ps 1.3 lw 1.6 lc rgb colors[word(marks, i) + 0] \
+    title word(methods, i)'
 if (n_peers > 0) {
   draw = draw.', $peers using 1:2 with points pt 7 ps 1.6 lc rgb "#111111" title "other programs", \
     $peers using 1:2:3 with labels left offset 1, 0 noenhanced notitle'

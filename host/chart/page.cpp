@@ -12,6 +12,7 @@
 #include "chart/chart_text.hpp"
 #include "chart/pictures.hpp"
 #include "chart_texts.hpp"
+#include "scene/families.hpp"
 
 namespace brume {
 
@@ -41,7 +42,9 @@ Json ramp_json() {
 Json pictures_json(const Chart& chart, const ChartFolder& folder) {
   Json json{{"exact", data_uri(folder.file("exact.jpg"))},
             {"ramp", ramp_json()},
-            {"ends", {"≤ 0.01 %", "0.1 %", "1 %", "10 %", "100 %"}}};
+            {"ends", {"≤ 0.01 %", "0.1 %", "1 %", "10 %", "100 %"}},
+            {"methods", Json::array()}};  // all: each has its own mark
+  for (const FamilyRow& row : method_family()) json["methods"].push_back(row.name);
   Json& points = json["points"] = Json::object();
   for (const ChartPoint& p : chart.points)
     points[knobs_id(p.knobs)] = {{"picture", data_uri(folder.picture_file(p.knobs))},

@@ -6,6 +6,7 @@
 #include "base/number_text.hpp"
 #include "chart/page.hpp"
 #include "chart_texts.hpp"
+#include "scene/families.hpp"
 
 namespace brume {
 
@@ -23,6 +24,12 @@ std::string title_of(const Chart& chart) {
          i.device + ", " + std::to_string(i.lanes) + " lanes";
 }
 
+// Of chart/plot.gnuplot, from 1: a method's own, whichever others are there.
+int mark_of(const std::string& method) {
+  const FamilyRow* row = family_find(method_family(), method);
+  return row ? row->id + 1 : 1;
+}
+
 std::string block(const std::string& name, const std::string& lines) { return name + " << EOD\n" + lines + "EOD\n"; }
 
 }  // namespace
@@ -33,9 +40,10 @@ std::string plot_script(const Chart& chart) {
   for (const ChartPoint& p : chart.points)
     if (std::find(methods.begin(), methods.end(), knobs_method(p.knobs)) == methods.end())
       methods.push_back(knobs_method(p.knobs));
-  std::string names, points, front, peers;
+  std::string names, marks, points, front, peers;
   for (const std::string& method : methods) {
     names += (names.empty() ? "" : " ") + method;
+    marks += (marks.empty() ? "" : " ") + std::to_string(mark_of(method));
     points += points.empty() ? "" : "\n\n";  // an index of its own
     for (const ChartPoint& p : chart.points)
       if (knobs_method(p.knobs) == method) points += place_text(p, floor);
@@ -48,8 +56,9 @@ std::string plot_script(const Chart& chart) {
   for (const ChartPeer& peer : chart.peers)
     peers += number_text(peer.seconds) + " " + number_text(peer.rel_rmse) + " \"" + peer.name + "\"\n";
   return "chart_title = " + gnuplot_quoted(title_of(chart)) + "\nfloor = " + number_text(floor) +
-         "\nmethods = " + gnuplot_quoted(names) + "\nn_peers = " + std::to_string(chart.peers.size()) + "\n" +
-         block("$points", points) + block("$front", front) + block("$peers", peers) + PLOT_GNUPLOT;
+         "\nmethods = " + gnuplot_quoted(names) + "\nmarks = " + gnuplot_quoted(marks) +
+         "\nn_peers = " + std::to_string(chart.peers.size()) + "\n" + block("$points", points) +
+         block("$front", front) + block("$peers", peers) + PLOT_GNUPLOT;
 }
 
 bool chart_plot(const Chart& chart, const ChartFolder& folder) {

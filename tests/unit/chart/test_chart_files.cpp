@@ -148,7 +148,11 @@ TEST(ChartPlot, NamesCannotLeaveTheirQuotes) {
   const std::string script = plot_script(chart);
   EXPECT_THAT(script,
               HasSubstr("chart_title = 'it''s `rm`.json?set output ''x'', 8 x 6, a CPU (a platform), 8 lanes'\n"));
-  EXPECT_THAT(script, HasSubstr("methods = 'dda_gauss2 march_midpoint'\n"));
+  EXPECT_THAT(script,
+              HasSubstr("methods = 'dda_gauss2 march_midpoint'\nmarks = '" + std::to_string(METHOD_DDA_GAUSS2 + 1) +
+                        " " + std::to_string(METHOD_MARCH_MIDPOINT + 1) + "'\n"));
+  for (const char* array : {"array shapes[", "array colors["})
+    EXPECT_THAT(script, HasSubstr(array + std::to_string(METHOD_COUNT) + "] = ["));
   EXPECT_THAT(script, HasSubstr("$points << EOD\n0.5 5e-05\n\n\n0.0123457 0.03\nEOD\n"));
   EXPECT_THAT(script, HasSubstr("4.5 0.047 \"vdb_render\"\n"));
 }

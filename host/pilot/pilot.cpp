@@ -29,7 +29,9 @@ constexpr double GRID_FROM = 0.05;  // s: less than the kernels of a first light
 constexpr double EQUAL = 1.2;       // errors of which the quicker is taken where none is good enough
 constexpr double TIMED = 2;         // times the quickest: near enough to be timed against it
 constexpr std::size_t TIMED_MOST = 4;
-constexpr double TIMED_FROM = 0.1;  // s: quicker pictures are not worth it
+constexpr double TIMED_FROM = 0.1;   // s: quicker pictures are not worth it
+constexpr double SHORT_LOOK = 0.05;  // s: a first look that takes less is mostly waiting for other things,
+constexpr int SHORT_LOOKS = 3;       // and the shortest of some counts
 
 // What a pixel costs, in density lookups: for its samples and shadow rays in themselves, too. Counts tell candidates
 // apart where a few pixels are over too soon to be timed.
@@ -55,7 +57,11 @@ Pilot::Pilot(ChartScene& scene, const std::vector<int>& methods)
   pixels_ = double(all.size());
   const Look first(frame);
   const WorkList looked = first.work(all, film_.size().x);
-  const ChartScene::PixelTimes times = scene_.render_pixels(look, film_, looked);
+  ChartScene::PixelTimes times = scene_.render_pixels(look, film_, looked);
+  for (int looks = 1; looks < SHORT_LOOKS && times.pixels < SHORT_LOOK; ++looks) {
+    for (const PixelWork& work : looked) film_.pixels()[work.pixel] = {};
+    times.pixels = std::min(times.pixels, scene_.render_pixels(look, film_, looked).pixels);
+  }
   least_seconds_ = times.once + times.pixels * desc.film.spp * pixels_ / double(looked.size());
   double effort = 0;
   for (const PixelWork& work : looked) effort += effort_of(film_.pixels()[work.pixel]);
@@ -216,36 +222,6 @@ PilotChoice Pilot::quickest(const RenderDesc& goal) {
   if (likely_) return {nearest(goal.error_metric), false, 0, 0};
   likely_ = true;
   return quickest(goal);
-}
-
-// Every candidate that should keep to the time.
-void Pilot::try_within(const RenderDesc& goal) {
-  for (const KnobFamily& family : families_) {
-    std::vector<int> grids = family_grids(family, scene_);
-    grids.insert(grids.begin(), 0);
-    for (const int grid : grids)
-      for (Knobs knobs : family) {
-        knobs.light_grid = grid;
-        if (trial(knobs).seconds > *goal.time_budget) break;
-      }
-  }
-}
-
-PilotChoice Pilot::closest(const RenderDesc& goal) {
-  try_within(goal);
-  std::vector<PilotTrial*> trials;
-  for (auto& [id, it] : trials_) trials.push_back(&it);
-  std::sort(trials.begin(), trials.end(), [&](const PilotTrial* a, const PilotTrial* b) {
-    return error_in(a->error, goal.error_metric) < error_in(b->error, goal.error_metric);
-  });
-  for (PilotTrial* it : trials) {
-    if (it->seconds > *goal.time_budget) continue;
-    time(*it);
-    if (it->seconds <= *goal.time_budget) return {*it, true, 0, 0};
-  }
-  const auto first = std::min_element(trials.begin(), trials.end(),
-                                      [](const auto* a, const auto* b) { return a->seconds < b->seconds; });
-  return {**first, false, 0, 0};
 }
 
 PilotChoice Pilot::choose(const RenderDesc& goal) {

@@ -56,6 +56,8 @@ class Pilot {
   PilotTrial& quickest_of(std::vector<PilotTrial*> good);
   PilotTrial& nearest(int metric);
   PilotChoice quickest(const RenderDesc& goal);
+  bool search_goes_on(const RenderDesc& goal) const;
+  void finest_within(const KnobFamily& family, int grid, const RenderDesc& goal);
   void try_within(const RenderDesc& goal);
   PilotChoice closest(const RenderDesc& goal);
 

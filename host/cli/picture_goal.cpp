@@ -1,6 +1,7 @@
 // See picture_goal.hpp.
 #include "cli/picture_goal.hpp"
 
+#include <cmath>
 #include <memory>
 
 #include "base/number_text.hpp"
@@ -70,6 +71,7 @@ void picture_refine_for_goal(const RenderArguments& arguments, const SceneDesc& 
                              const std::function<void(const std::string&)>& say) {
   constexpr int REFINEMENTS = 4;
   constexpr double HELPED = 0.9;  // of the error before
+  constexpr double HOPED = 4;     // by which one refinement divides the error, where nothing better is known
   const RenderDesc& goal = desc.render;
   std::optional<SceneDesc> finer = desc;
   // With a level of detail, what is finer is the scene of the witnesses.
@@ -77,7 +79,9 @@ void picture_refine_for_goal(const RenderArguments& arguments, const SceneDesc& 
                                                  ? std::make_shared<DeviceScene>(context, flat)
                                                  : renderer.scene();
   bool helped = true;
+  double gain = HOPED;
   for (int i = 0; i < REFINEMENTS && goal_missed(goal, error.witness); ++i) {
+    if (error_in(error.witness, goal.error_metric) > *goal.max_error * std::pow(gain, REFINEMENTS - i)) return;
     std::optional<SceneDesc> next = helped ? settings_finer(*finer) : std::nullopt;
     if (!next && arguments.method == "auto") next = settings_closest(*finer);
     if (!next) return;
@@ -91,6 +95,7 @@ void picture_refine_for_goal(const RenderArguments& arguments, const SceneDesc& 
     say("refined " + number_text(100 * share, 2) + " % of the pixels: " + metric_name(goal) + " " +
         number_text(before, 2) + " -> " + number_text(after, 2));
     helped = after < HELPED * before;
+    gain = helped ? before / after : HOPED;
   }
 }
 

@@ -115,7 +115,7 @@ WitnessError Pilot::error_on(const Panel& panel, const Knobs& knobs, PilotTrial*
 }
 
 PilotTrial& Pilot::trial(const Knobs& knobs) {
-  const auto [found, fresh] = trials_.emplace(knobs_id(knobs), PilotTrial{knobs, {}, 0, 0, 0});
+  const auto [found, fresh] = trials_.emplace(knobs_id(knobs), PilotTrial{knobs, {}, 0, 0, 0, false});
   if (fresh) found->second.error = error_on(panel_, knobs, &found->second);
   return found->second;
 }
@@ -177,6 +177,7 @@ void Pilot::time(PilotTrial& trial) {
   for (const PixelWork& work : spread_) film_.pixels()[work.pixel] = {};
   const ChartScene::PixelTimes times = scene_.render_pixels(knobs_apply(scene_.desc(), trial.knobs), film_, spread_);
   trial.seconds = times.once + times.pixels * pixels_ / double(spread_.size());
+  trial.timed = true;
 }
 
 // Those that should be about as quick as the quickest are timed against it.

@@ -18,6 +18,7 @@ struct PilotTrial {
   double lookups = 0;  // of the pilot's pixels
   double once = 0;     // s, to fill its light grids
   double seconds = 0;  // that the whole picture is expected to take, with them
+  bool timed = false;  // by pixels from all over the picture, not by what the pilot's cost
 };
 
 struct PilotChoice {

@@ -27,17 +27,21 @@ void Pilot::finest_within(const KnobFamily& family, int grid, const RenderDesc& 
     knobs.light_grid = grid;
     return knobs;
   };
-  if (seconds_of_cost * scene_.cost(member(0)) > FAR_BEYOND * budget) return;
+  const bool some_keeps_to_it =
+      std::any_of(trials_.begin(), trials_.end(), [&](const auto& t) { return t.second.seconds <= budget; });
+  if ((some_keeps_to_it || family.size() == 1) && seconds_of_cost * scene_.cost(member(0)) > FAR_BEYOND * budget)
+    return;
   int within = -1, beyond = int(family.size()), at = 0;
   while (at + 1 < beyond && seconds_of_cost * scene_.cost(member(at + 1)) <= budget) ++at;
   while (within < at && at < beyond && search_goes_on(goal)) {
-    const double seconds = trial(member(at)).seconds;
-    if (seconds > budget) {
+    PilotTrial& it = trial(member(at));
+    if (!it.timed && it.seconds < FAR_BEYOND * budget) time(it);
+    if (it.seconds > budget) {
       beyond = at;
-      at = std::max(at - std::max(1, int(std::log2(seconds / budget))), within + 1);
+      at = std::max(at - std::max(1, int(std::log2(it.seconds / budget))), within + 1);
     } else {
       within = at;
-      if (FAR_WITHIN * seconds < budget) ++at;
+      if (FAR_WITHIN * it.seconds < budget) ++at;
     }
   }
 }
@@ -71,12 +75,13 @@ PilotChoice Pilot::closest(const RenderDesc& goal) {
   });
   for (PilotTrial* it : trials) {
     if (it->seconds > *goal.time_budget) continue;
-    time(*it);
+    if (!it->timed) time(*it);
     if (it->seconds <= *goal.time_budget) return {*it, true, 0, 0};
   }
   const auto first = std::min_element(trials.begin(), trials.end(),
                                       [](const auto* a, const auto* b) { return a->seconds < b->seconds; });
-  return {**first, false, 0, 0};
+  if (!(*first)->timed) time(**first);
+  return {**first, (*first)->seconds <= *goal.time_budget, 0, 0};
 }
 
 }  // namespace brume

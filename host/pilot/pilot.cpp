@@ -29,9 +29,7 @@ constexpr double GRID_FROM = 0.05;  // s: less than the kernels of a first light
 constexpr double EQUAL = 1.2;       // errors of which the quicker is taken where none is good enough
 constexpr double TIMED = 2;         // times the quickest: near enough to be timed against it
 constexpr std::size_t TIMED_MOST = 4;
-constexpr double TIMED_FROM = 0.1;   // s: quicker pictures are not worth it
-constexpr double SHORT_LOOK = 0.05;  // s: a first look that takes less is mostly waiting for other things,
-constexpr int SHORT_LOOKS = 3;       // and the shortest of some counts
+constexpr double TIMED_FROM = 0.1;  // s: quicker pictures are not worth it
 
 // What a pixel costs, in density lookups: for its samples and shadow rays in themselves, too. Counts tell candidates
 // apart where a few pixels are over too soon to be timed.
@@ -57,11 +55,7 @@ Pilot::Pilot(ChartScene& scene, const std::vector<int>& methods)
   pixels_ = double(all.size());
   const Look first(frame);
   const WorkList looked = first.work(all, film_.size().x);
-  ChartScene::PixelTimes times = scene_.render_pixels(look, film_, looked);
-  for (int looks = 1; looks < SHORT_LOOKS && times.pixels < SHORT_LOOK; ++looks) {
-    for (const PixelWork& work : looked) film_.pixels()[work.pixel] = {};
-    times.pixels = std::min(times.pixels, scene_.render_pixels(look, film_, looked).pixels);
-  }
+  const ChartScene::PixelTimes times = scene_.render_pixels(look, film_, looked);
   least_seconds_ = times.once + times.pixels * desc.film.spp * pixels_ / double(looked.size());
   double effort = 0;
   for (const PixelWork& work : looked) effort += effort_of(film_.pixels()[work.pixel]);

@@ -1,5 +1,5 @@
-// Goes through the settings of a chart: exact picture, witnesses, then point after point, of
-// every method the cheapest first.
+// Goes through the settings of a chart: exact picture, witnesses, then point after point, of every
+// method the cheapest first.
 #pragma once
 #include <functional>
 #include <string>

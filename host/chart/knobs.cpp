@@ -218,18 +218,21 @@ void knobs_order(std::vector<Knobs>& list, int spp, const std::function<double(c
     bool other_samples;
     int rank;  // by cost, among those of its method
     double cost;
-    bool operator<(const Place& o) const {
-      return std::tie(other_samples, rank, cost) < std::tie(o.other_samples, o.rank, o.cost);
-    }
+    Knobs knobs;
   };
-  std::map<std::string, Place> places;
-  const auto place = [&](const Knobs& knobs) -> Place& { return places[knobs_id(knobs)]; };
-  for (const Knobs& knobs : list) place(knobs) = {knobs.spp != spp, 0, cost(knobs)};
-  const auto before = [&](const Knobs& a, const Knobs& b) { return place(a) < place(b); };
-  std::stable_sort(list.begin(), list.end(), before);
+  std::vector<Place> places;
+  places.reserve(list.size());
+  for (const Knobs& knobs : list) places.push_back({knobs.spp != spp, 0, cost(knobs), knobs});
+  const auto sort = [&] {
+    std::stable_sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+      return std::tie(a.other_samples, a.rank, a.cost) < std::tie(b.other_samples, b.rank, b.cost);
+    });
+  };
+  sort();
   std::map<int, int> listed;  // of a method
-  for (const Knobs& knobs : list) place(knobs).rank = listed[knobs.method]++;
-  std::stable_sort(list.begin(), list.end(), before);
+  for (Place& place : places) place.rank = listed[place.knobs.method]++;
+  sort();
+  std::transform(places.begin(), places.end(), list.begin(), [](const Place& place) { return place.knobs; });
 }
 
 SceneDesc exact_desc(const SceneDesc& desc, int spp) {

@@ -45,11 +45,7 @@ std::vector<int> methods_fitting(const SceneDesc& desc, const std::vector<int>& 
 // Every setting once, coarse ones of each sweep first. methods: empty for a scene without media.
 std::vector<Knobs> knobs_list(const std::vector<int>& methods, const KnobLimits& limits, int spp);
 
-// Each method's cheapest first, then each one's second: whenever the time ends, there is something of all. Last those
-// with other numbers of samples than `spp`, which need exact pictures of their own.
-void knobs_order(std::vector<Knobs>& list, int spp, const std::function<double(const Knobs&)>& cost);
-
-// The same for the voxels of a level of detail.
+// Of the voxels of a level of detail.
 KnobLimits limits_at(KnobLimits limits, int level);
 
 // Steps as shares of a side, each half of the one before, from coarse ones to half a cell of the finest grid (of
@@ -58,6 +54,10 @@ std::vector<double> steps_halving(const KnobLimits& limits, int beyond);
 
 // From coarse to fine.
 std::vector<double> tolerances_all();
+
+// Each method's cheapest first, then each one's second: whenever the time ends, there is something of all. Last those
+// with other numbers of samples than `spp`, which need exact pictures of their own.
+void knobs_order(std::vector<Knobs>& list, int spp, const std::function<double(const Knobs&)>& cost);
 
 // The most exact that there is: no steps where none are needed, light traced from every light, nothing left to chance.
 SceneDesc exact_desc(const SceneDesc& desc, int spp);

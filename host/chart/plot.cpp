@@ -1,12 +1,12 @@
 // chart.svg and chart.png. Without gnuplot there is still the page.
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "base/gnuplot.hpp"
 #include "base/number_text.hpp"
 #include "chart/page.hpp"
 #include "chart_texts.hpp"
-#include "scene/families.hpp"
 
 namespace brume {
 
@@ -25,10 +25,7 @@ std::string title_of(const Chart& chart) {
 }
 
 // Of chart/plot.gnuplot, from 1: a method's own, whichever others are there.
-int mark_of(const std::string& method) {
-  const FamilyRow* row = family_find(method_family(), method);
-  return row ? row->id + 1 : 1;
-}
+int mark_of(int method) { return method == METHOD_NONE ? 1 : method + 1; }
 
 std::string block(const std::string& name, const std::string& lines) { return name + " << EOD\n" + lines + "EOD\n"; }
 
@@ -36,17 +33,20 @@ std::string block(const std::string& name, const std::string& lines) { return na
 
 std::string plot_script(const Chart& chart) {
   const double floor = chart.exact.rel_rmse;
-  std::vector<std::string> methods;
-  for (const ChartPoint& p : chart.points)
-    if (std::find(methods.begin(), methods.end(), knobs_method(p.knobs)) == methods.end())
-      methods.push_back(knobs_method(p.knobs));
+  struct Series {
+    std::string name, points;
+  };
+  std::map<int, Series> series;  // of each method
+  for (const ChartPoint& p : chart.points) {
+    Series& its = series[p.knobs.method];
+    its.name = knobs_method(p.knobs);
+    its.points += place_text(p, floor);
+  }
   std::string names, marks, points, front, peers;
-  for (const std::string& method : methods) {
-    names += (names.empty() ? "" : " ") + method;
+  for (const auto& [method, its] : series) {
+    names += (names.empty() ? "" : " ") + its.name;
     marks += (marks.empty() ? "" : " ") + std::to_string(mark_of(method));
-    points += points.empty() ? "" : "\n\n";  // an index of its own
-    for (const ChartPoint& p : chart.points)
-      if (knobs_method(p.knobs) == method) points += place_text(p, floor);
+    points += (points.empty() ? "" : "\n\n") + its.points;  // an index of its own
   }
   std::vector<ChartPoint> best;
   std::copy_if(chart.points.begin(), chart.points.end(), std::back_inserter(best),

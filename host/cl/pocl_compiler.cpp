@@ -59,7 +59,7 @@ struct ReturnedWords {
   std::uintptr_t held[Words] = {};
 };
 using Returned = ReturnedWords<1>;
-using Passes = ReturnedWords<3>;
+using PassList = ReturnedWords<3>;
 
 // Null where it is unknown.
 const char* calling_library(const void* caller) {
@@ -124,12 +124,12 @@ void passes_add(void* builder, void* passes) {
   if (const auto add = llvm_function<decltype(passes_add)>(ADD_PASSES, caller)) add(builder, passes);
 }
 
-Passes front_passes(void* builder, Level level, bool before_linking) __asm__(FRONT_PASSES);
-Passes front_passes(void* builder, Level level, bool before_linking) {
+PassList front_passes(void* builder, Level level, bool before_linking) __asm__(FRONT_PASSES);
+PassList front_passes(void* builder, Level level, bool before_linking) {
   const void* const caller = __builtin_return_address(0);
   const auto parse = llvm_function<Returned(void*, void*, StringRef)>(PARSE_PASSES, caller);
   if (known_version && parse != nullptr) {
-    Passes passes;
+    PassList passes;
     if (!failed(parse(builder, &passes, {FRONT.data(), FRONT.size()}))) return passes;
   }
   return llvm_function<decltype(front_passes)>(FRONT_PASSES, caller)(builder, level, before_linking);

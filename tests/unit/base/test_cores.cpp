@@ -1,10 +1,8 @@
 // How many cores a process may use, by its affinity and by the quota of its control group.
 #include <gtest/gtest.h>
-#include <sched.h>
-
-#include <thread>
 
 #include "base/cores.hpp"
+#include "unit/base/one_core.hpp"
 
 namespace brume {
 namespace {
@@ -21,17 +19,7 @@ TEST(Cores, FollowAQuotaDownToOne) {
 
 TEST(Cores, AreThoseOfTheAffinity) {
   EXPECT_GE(cores_usable(), 1);
-  std::thread([] {  // of this thread alone
-    cpu_set_t all, one;
-    ASSERT_EQ(::sched_getaffinity(0, sizeof all, &all), 0);
-    int cpu = 0;
-    while (!CPU_ISSET(cpu, &all)) ++cpu;
-    CPU_ZERO(&one);
-    CPU_SET(cpu, &one);
-    ASSERT_EQ(::sched_setaffinity(0, sizeof one, &one), 0);
-    EXPECT_EQ(cores_usable(), 1);
-  })
-      .join();
+  on_one_core([] { EXPECT_EQ(cores_usable(), 1); });
 }
 
 }  // namespace

@@ -1,14 +1,13 @@
 // What brume sets of the driver's environment, and what it leaves to whoever has set it.
 #include <gtest/gtest.h>
-#include <sched.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <string>
-#include <thread>
 
 #include "base/cores.hpp"
 #include "cl/driver_guard.hpp"
+#include "unit/base/one_core.hpp"
 
 namespace brume {
 namespace {
@@ -47,17 +46,7 @@ TEST_F(DriverEnvironment, LeavesWhatIsSet) {
 
 TEST_F(DriverEnvironment, KeepsToTheCoresThatAProcessMayUse) {
   if (::sysconf(_SC_NPROCESSORS_CONF) < 2) GTEST_SKIP() << "one core is all there are";
-  std::thread([] {  // of this thread alone
-    cpu_set_t all, one;
-    ASSERT_EQ(::sched_getaffinity(0, sizeof all, &all), 0);
-    int cpu = 0;
-    while (!CPU_ISSET(cpu, &all)) ++cpu;
-    CPU_ZERO(&one);
-    CPU_SET(cpu, &one);
-    ASSERT_EQ(::sched_setaffinity(0, sizeof one, &one), 0);
-    EXPECT_EQ(affinity(), "none");
-  })
-      .join();
+  on_one_core([] { EXPECT_EQ(affinity(), "none"); });
 }
 
 }  // namespace
